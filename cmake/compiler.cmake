@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Language and warnings, the same for the library, the program and the tests.
+# Language and warnings, the same for the program and the tests.
 set(CMAKE_C_STANDARD 17)
 set(CMAKE_C_STANDARD_REQUIRED ON)
 set(CMAKE_C_EXTENSIONS OFF)
@@ -21,8 +21,8 @@ target_compile_options(roughcontact_warnings INTERFACE -Wall -Wextra -Wconversio
                        # of two cases, and of a row of strings of which one takes two lines
                        $<$<C_COMPILER_ID:Clang>:-Wno-missing-field-initializers;-Wno-format-zero-length;-Wno-string-concatenation>)
 target_compile_definitions(roughcontact_warnings INTERFACE _GNU_SOURCE)
-# Of the program and the library: small frames, as nothing of a thread is to need more than a fraction of its stack
-# (base/threads.h), and what calls the library may have little. Sanitizers make them larger.
+# Of the program: small frames, as nothing of a thread is to need more than a fraction of its stack (base/threads.h).
+# Sanitizers make them larger.
 if(NOT ROUGHCONTACT_SANITIZE AND NOT ROUGHCONTACT_THREAD_SANITIZE)
     set(roughcontact_frames -Wframe-larger-than=49152)
 endif()

@@ -1,14 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The report's first chart from results.json alone, in SI: python3 first_chart.py OUT/results.json | gnuplot > chart.svg
+# The report's first chart from results.json alone: python3 first_chart.py OUT/results.json chart.svg (needs matplotlib)
 import json, sys
+import matplotlib.pyplot as plot
 run = json.load(open(sys.argv[1]))
 asked = ([a["quantity"] for a in run.get("answers", []) if "quantity" in a] +
          [s["measured"]["quantity"] for s in run["surfaces"] if "measured" in s] + [run["comparison"]["quantity"]])[0]
-curves = [(s["surface"], "lines", s, s["models"].get(run["leading"], {})) for s in run["surfaces"]]
-curves += [("measured", "points", s, s["measured"]) for s in run["surfaces"] if "measured" in s]
-print(f"set terminal svg noenhanced; set logscale; set xlabel 'pressure (Pa)'; set ylabel '{asked}'\nplot",
-      ", ".join("'-' with {} title '{}'".format(style, title.replace("'", "''")) for title, style, _, _ in curves))
-for _, _, surface, curve in curves:
+for surface in run["surfaces"]:
     modulus = surface.get("effective_modulus_Pa") or run["scene"]["effective_modulus_Pa"]
-    print(*(f"{load * modulus!r} {value!r}" for load, value in
-            zip(curve.get("load_over_AnEp", []), curve.get(asked, [])) if value), "e", sep="\n")
+    for curve, style, name in ((surface["models"].get(run["leading"], {}), "-", surface["surface"]),
+                               (surface.get("measured", {}), "o", surface["surface"] + ", measured")):
+        points = [(load * modulus, y) for load, y in zip(curve.get("load_over_AnEp", []), curve.get(asked, [])) if y]
+        if points:
+            plot.loglog(*zip(*points), style, label=name)
+plot.xlabel("pressure (Pa)"), plot.ylabel(asked), plot.legend()
+plot.savefig(sys.argv[2])

@@ -3,7 +3,7 @@
 _roughcontact()
 {
     local word=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} command=${COMP_WORDS[1]}
-    local commands='report direct plan init inspect compare view synth models materials self-test'
+    local commands='report direct plan init inspect compare synth models materials'
     local scene='--material= -m --effects= -e --tolerance= -t --accuracy= --budget= --x-unit= --z-unit='
     local options='' kind=nothing words='' argument='' before=''
     COMPREPLY=()
@@ -27,9 +27,6 @@ _roughcontact()
         options='--json --chart --x-unit= --z-unit= --column= --lambda-s= --lambda-c='
         kind=files ;;
     init) kind=directories ;;
-    view)
-        options='--json'
-        kind=directories ;;
     compare)
         options='--json --markdown --html'
         kind=directories ;;
@@ -37,7 +34,6 @@ _roughcontact()
         options='--alpha= -a --gamma= -g --rq= -r --length= -l --points= -n --scatter= -c --lambda-s= -s --seed= -d'
         options+=' --output= -o' ;;
     models | materials) options='--json' ;;
-    self-test) options='--verbose -v' ;;
     esac
     case "$command $previous" in # the value of an option
     'synth --output' | 'synth -o') kind=files ;;
@@ -49,7 +45,7 @@ _roughcontact()
         words+=' beryllium-copper copper-nickel-silicon solder indium' ;;
     *' --effects' | *' -e')
         kind=list
-        words='auto plasticity separation electrical thermal scale-dependent stiffness last-scale convergence uncertainty unloading direct gap film'
+        words='auto plasticity separation electrical thermal scale-dependent stiffness last-scale convergence uncertainty direct gap film'
         words+=' plating heating shape' ;;
     *' --x-unit' | *' --z-unit') kind=words words='m mm um nm angstrom in uin mil' ;;
     *' --jobs' | *' -j' | *' --tolerance' | *' -t' | *' --accuracy' | *' --budget' | *' --column' | *' --lambda-'[sc] | 'synth -'[agrlncsd] | \

@@ -276,7 +276,7 @@ static enum status_code count_spots(struct answer *out, const struct ensemble *s
 {
     const struct model_row *row = model_rows[by];
     struct model_task one = model_task_at(task, &out->load, 1);
-    size_t runs = set->count > 1 ? set->count : 1, counted = 0;
+    size_t runs = set->count > 1 && !row->textbook ? set->count : 1, counted = 0;
     double sum = 0;
     for (size_t r = 0; r < runs; r++) {
         struct contact_spots spots = {NAN, NAN};
@@ -342,6 +342,9 @@ static enum status_code answer_target(struct answer *out, const struct surface_r
     return banded && out->kind == ANSWER_LOAD && !out->full ? solve_band(out, record, &search) : STATUS_OK;
 }
 
+const char *const limit_verdict_words[] = {
+    [LIMIT_NO_VALUE] = "no value", [LIMIT_MET] = "met", [LIMIT_MISSED] = "missed", [LIMIT_UNDECIDED] = "undecided"};
+
 enum limit_verdict answers_judge(const struct limit_check *check, const struct scene_asked *limit)
 {
     if (isnan(check->value))
@@ -350,7 +353,7 @@ enum limit_verdict answers_judge(const struct limit_check *check, const struct s
     double low = known ? check->low : check->value, high = known ? check->high : check->value;
     if (limit->is_upper ? high <= limit->value : low >= limit->value)
         return LIMIT_MET;
-    return (limit->is_upper ? low > limit->value : high < limit->value) ? LIMIT_MISSED : LIMIT_CANNOT_TELL;
+    return (limit->is_upper ? low > limit->value : high < limit->value) ? LIMIT_MISSED : LIMIT_UNDECIDED;
 }
 
 /** The leading model at load i of its curve against a limit, with its band. */
@@ -377,7 +380,8 @@ static struct limit_check check_limit(const struct surface_record *record, size_
     const struct model_curve *curve = &record->curves[leading];
     struct limit_check out = {.value = NAN, .low = NAN, .high = NAN};
     for (size_t i = 0; curve->exists && i < curve->count; i++)
-        if (curve->points[i].value[QUANTITY_LOAD] == load)
+        if (curve->points[i].value[QUANTITY_LOAD] == load &&
+            (!model_rows[leading]->textbook || curve_summary_point_is_valid(&curve->points[i], model_rows[leading])))
             out = check_point(record, leading, limit, joint, i);
     if (out.verdict == LIMIT_NO_VALUE && curve->exists && curve->count > 0 &&
         joint_is_held(&curve->points[curve->count - 1], joint)) {

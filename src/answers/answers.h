@@ -30,7 +30,10 @@ struct answer {
     size_t counted_by;   /* the model whose spots they are, where they are known */
 };
 
-enum limit_verdict { LIMIT_NO_VALUE, LIMIT_MET, LIMIT_MISSED, LIMIT_CANNOT_TELL };
+enum limit_verdict { LIMIT_NO_VALUE, LIMIT_MET, LIMIT_MISSED, LIMIT_UNDECIDED };
+
+/** The one word for each: "no value", "met", "missed", "undecided". */
+extern const char *const limit_verdict_words[];
 
 /** A limit at the operating load, by the leading model; numbers of its row's quantity. */
 struct limit_check {

@@ -284,75 +284,6 @@ static enum status_code curves_run(struct surface_record *record, const struct s
     return answers_find(record, scene, plan, &task, status);
 }
 
-/** The leading model at the shares of the largest load, times what unloading does there. */
-static enum status_code unload(struct surface_unloading *out, const struct surface_record *record,
-                               const struct model_task *task, struct status *status)
-{
-    double loads[UNLOADING_SHARES];
-    size_t count = out->ratio.count;
-    struct contact_point points[UNLOADING_SHARES + 1];
-    struct model_curve curve = {.points = points};
-    for (size_t i = 0; i < count; i++)
-        loads[i] = out->largest_load * out->ratio.share[count - 1 - i];
-    struct model_task asked = model_task_at(task, loads, count);
-    if (ensemble_curve(&curve, NULL, &record->ensemble, model_rows[out->model], &asked, status) != STATUS_OK)
-        return status->code;
-    if (curve.count < count)
-        return status_fail(status, STATUS_MODEL, "the curve of %s ends below unload_from",
-                           model_rows[out->model]->label);
-    for (int q = QUANTITY_AREA; q < QUANTITY_COUNT; q++) {
-        double up[UNLOADING_SHARES];
-        for (size_t i = 0; i < count; i++)
-            up[i] = points[count - 1 - i].value[q];
-        unloading_bound(&out->ratio, (enum quantity)q, up);
-    }
-    for (size_t i = 0; i < count; i++) {
-        out->points[i] = points[i];
-        for (int q = QUANTITY_AREA; q < QUANTITY_COUNT; q++)
-            out->points[i].value[q] *= unloading_factor(&out->ratio, (enum quantity)q, loads[i] / out->largest_load);
-    }
-    return STATUS_OK;
-}
-
-enum { STRIP_SHARES = 5 }; /* a strip that has fewer of them tells too little */
-
-/** The curve of falling load. Where there is none a note says why. */
-static enum status_code run_unloading(struct surface_record *record, const struct surface_task *of,
-                                      struct status *status)
-{
-    struct surface_summary *summary = &record->summary;
-    struct surface_unloading *out = summary->unloading = calloc(1, sizeof *out);
-    const struct model_task asked = surface_model_task(record, of);
-    double started = clock_seconds(), hardness = asked.hardness_Pa / asked.pair->effective_modulus_Pa;
-    struct status problem = {0};
-    enum status_code rc = STATUS_OK;
-    if (!out)
-        return status_memory(status);
-    out->largest_load = scene_load_of(&of->scene->unload_from, of->scene, asked.pair);
-    out->model = plan_leading_model(of->plan);
-    const struct joint_task joint = surface_joint(record, of->scene, of->plan, &asked);
-    const struct model_curve *loading = &record->curves[out->model];
-    if (loading->count > 0 && joint_is_held(&loading->points[loading->count - 1], &joint))
-        rc = status_fail(&problem, STATUS_MODEL, "the bond line of the filler carries the load");
-    if (rc == STATUS_OK && asked.rows)
-        rc = unloading_solve(&out->ratio, asked.rows, out->largest_load, hardness, of->stop, &problem);
-    if (rc == STATUS_OK && out->ratio.count < STRIP_SHARES)
-        rc = status_fail(&problem, STATUS_MODEL, "too few spots touch in its strip; take longer or more scans");
-    if (rc == STATUS_OK)
-        rc = unload(out, record, &asked, &problem);
-    summary->times.unloading = clock_seconds() - started;
-    if (rc == STATUS_OK && out->ratio.raised > 1)
-        note_add(&summary->notes, NULL, "note.unload_from\ntimes %g", out->ratio.raised);
-    if (rc == STATUS_OK)
-        return rc;
-    free(out);
-    summary->unloading = NULL;
-    if (rc != STATUS_MODEL)
-        return status_fail(status, rc, "%s", problem.message);
-    note_add(&summary->notes, NULL, "note.no_unloading\nwhy\t%s", problem.message);
-    return STATUS_OK;
-}
-
 enum status_code surface_answers_find(struct surface_record *record, const struct surface_task *task,
                                       struct status *status)
 {
@@ -369,5 +300,5 @@ enum status_code surface_answers_find(struct surface_record *record, const struc
         rc = solve_strips(record, &plan, asked.stop, status);
     if (rc == STATUS_OK)
         rc = curves_run(record, &asked, status);
-    return rc == STATUS_OK && plan_runs(&plan, EFFECT_UNLOADING) ? run_unloading(record, &asked, status) : rc;
+    return rc;
 }

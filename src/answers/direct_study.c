@@ -85,7 +85,7 @@ static enum status_code find_rows(struct maker *maker, struct status *status)
         return STATUS_OK;
     }
     const struct strip_rows rows = {maker->map.height_m, maker->map.grid.ny, maker->map.grid.nx,
-                                    maker->map.grid.spacing_m, !maker->map.grid.mirrored};
+                                    maker->map.grid.spacing_m, !maker->map.grid.mirrored, NULL};
     size_t points;
     double *joined_m = strip_join(&points, &rows);
     if (!joined_m)
@@ -154,6 +154,7 @@ static enum status_code run_models(struct maker *maker, struct status *status)
     asked.loads = plan->load;
     asked.load_count = plan->loads;
     struct model_task ask = surface_model_task(task->surface, &asked);
+    ask.rough = (struct cmy){.sigma_m = 0};
     ask.spectrum = &study->rows; /* of a surface whose waves all are known */
     ask.levelled = false;
     ask.asperities = has_asperities ? &asperities : NULL;

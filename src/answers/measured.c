@@ -175,22 +175,6 @@ static double resistance_at(const struct model_curve *curve, double load, enum q
     return NAN;
 }
 
-static void answer_branches(struct measured_answers *out, const struct measured *measured, enum quantity quantity,
-                            const struct surface_unloading *unloading)
-{
-    double *up = out->resistance + MEASURED_LOADING * measured->count, *down = up + measured->count;
-    for (const struct measured_run *run = measured->runs; run < measured->runs + measured->run_count; run++)
-        for (size_t i = run->first; i < run->end; i++) {
-            bool falls = i > run->turn;
-            double rising = unloading ? out->resistance[unloading->model * measured->count + i] : NAN;
-            up[i] = falls ? NAN : rising;
-            down[i] = NAN;
-            if (unloading && falls)
-                down[i] =
-                    rising * unloading_factor(&unloading->ratio, quantity, measured->load[i] / unloading->largest_load);
-        }
-}
-
 enum status_code measured_answer(struct measured_answers *out, const struct measured *measured,
                                  const struct surface_record *record, const struct surface_task *asked,
                                  struct status *status)
@@ -201,8 +185,7 @@ enum status_code measured_answer(struct measured_answers *out, const struct meas
     const enum quantity quantity = measured_quantity(measured, joint.effects);
     double *loads = calloc(measured->count, sizeof *loads);
     struct contact_point *points = malloc((measured->count + 1) * sizeof *points);
-    *out =
-        (struct measured_answers){.resistance = calloc((model_count + 2) * measured->count, sizeof *out->resistance)};
+    *out = (struct measured_answers){.resistance = calloc(model_count * measured->count, sizeof *out->resistance)};
     bool stored = loads && points && out->resistance;
     size_t count = stored ? loads_within(loads, measured, &task) : 0;
     struct model_task at_loads = model_task_at(&task, loads, count);
@@ -221,8 +204,6 @@ enum status_code measured_answer(struct measured_answers *out, const struct meas
         for (size_t i = 0; i < measured->count; i++)
             out->resistance[m * measured->count + i] = resistance_at(&curve, measured->load[i], quantity);
     }
-    if (rc == STATUS_OK)
-        answer_branches(out, measured, quantity, record->summary.unloading);
     free(loads);
     free(points);
     return rc;

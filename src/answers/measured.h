@@ -28,11 +28,6 @@ struct measured {
     char load_unit[UNIT_LENGTH], resistance_unit[UNIT_LENGTH]; /* that they were given in, as written */
 };
 
-/** Beside the models, in the place of one: the model that leads on the way up alone, and its curve of falling load on
- * the way down. */
-#define MEASURED_LOADING   model_count
-#define MEASURED_UNLOADING (model_count + 1)
-
 /** What the growth of conductance with load is a mark of. */
 enum measured_mark {
     MEASURED_ROUGH,        /* as the model's own curve, about P^.95 */
@@ -52,7 +47,7 @@ extern const double measured_tells; /* times, from which it is said */
 
 /** What the models say at the measured loads, as far as these lie within the run's. Owned: measured_answers_free(). */
 struct measured_answers {
-    double *resistance;  /* [model, branch][measured point]; NaN: beyond the run's loads, or none */
+    double *resistance;  /* [model][measured point]; NaN: beyond the run's loads, or none */
     struct estimate fit; /* measured over predicted conductance, by measured_fit(); count 0: none */
     size_t fitted;       /* the model */
     struct measured_exponent exponent;
@@ -63,7 +58,7 @@ struct measured_answers {
  * where these are called for. */
 enum quantity measured_quantity(const struct measured *measured, unsigned effects);
 /** Runs the models of the plan at the measured loads themselves, on every scan as the surface's curve, with what lies
- * in the joint; with the surface's curve of falling load also the branches. Error: STATUS_MEMORY. */
+ * in the joint. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code measured_answer(struct measured_answers *out, const struct measured *measured,
                                             const struct surface_record *record, const struct surface_task *asked,
                                             struct status *status);
@@ -90,7 +85,7 @@ MUST_CHECK enum status_code measured_read(struct measured *out, const struct sce
                                           const struct material_pair *pair, struct status *status);
 void measured_free(struct measured *measured);
 
-/** Distance of model `m`, or of a branch. */
+/** Distance of model `m`. */
 struct measured_distance measured_compare(const struct measured *measured, const struct measured_answers *answers,
                                           size_t m);
 

@@ -2,7 +2,6 @@
 #include "base/fft.h"
 
 #include <pthread.h>
-#include <setjmp.h>
 
 enum {
     SMALL = 1 << 15, /* records up to it: planning a complex transform takes a quarter of `inspect` */
@@ -15,62 +14,12 @@ static struct {
     bool back;
     fftw_plan plan;
 } kept[KEPT];
-static bool ready, left; /* it has all its solvers, and plans may live; it was left at work */
-/* Of the call of FFTW under way; of initial-exec, as glibc else may allocate at its first use, and aborts when it
- * cannot. */
-static __attribute__((tls_model("initial-exec"))) _Thread_local jmp_buf *way_out;
 
-/** FFTW calls this where malloc() gives it nothing, and wants it not to return. Its own prints a line and aborts; this
- * one stands in its place, as what is linked finds it before FFTW's archive. */
-__attribute__((noreturn, visibility("default"))) void fftw_assertion_failed(void)
-{
-    if (way_out)
-        longjmp(*way_out, 1);
-    __builtin_trap();
-}
-
-bool fft_try(void (*work)(void *context), void *context)
-{
-    jmp_buf here;
-    if (setjmp(here) != 0) {
-        way_out = NULL;
-        return false;
-    }
-    way_out = &here;
-    work(context);
-    way_out = NULL;
-    return true;
-}
-
-/** Of a planner that was left at work: a table that it forgets may be gone; with a part of its solvers only, it would
- * plan otherwise from here on. */
-static void mend(void *unused)
-{
-    (void)unused;
-    if (ready)
-        fftw_forget_wisdom();
-    else
-        fftw_cleanup();
-}
-
-bool fft_plan(void (*work)(void *context), void *context)
+void fft_plan(void (*work)(void *context), void *context)
 {
     pthread_mutex_lock(&planner);
-    bool done = (!left || fft_try(mend, NULL)) && fft_try(work, context);
-    left = !done;
-    ready = ready || done;
+    work(context);
     pthread_mutex_unlock(&planner);
-    return done;
-}
-
-static void execute(void *plan)
-{
-    fftw_execute(plan);
-}
-
-bool fft_run(fftw_plan plan)
-{
-    return fft_try(execute, plan);
 }
 
 void fft_plan_free(fftw_plan plan)
@@ -131,9 +80,8 @@ static void make_small_plan(void *context)
         kept[k].n = once->n, kept[k].back = once->back, kept[k].plan = once->plan;
 }
 
-static void run_once(void *context)
+static void run_once(const struct once *once)
 {
-    struct once *once = context;
     if (once->back)
         fftw_execute_dft_c2r(once->plan, once->transform, once->record);
     else if (once->transform)
@@ -144,10 +92,13 @@ static void run_once(void *context)
 
 static bool transform(struct once once)
 {
-    bool done = fft_plan(once.n > SMALL ? make_plan : make_small_plan, &once) && fft_try(run_once, &once);
+    fft_plan(once.n > SMALL ? make_plan : make_small_plan, &once);
+    if (!once.plan)
+        return false;
+    run_once(&once);
     if (!once.kept)
         fft_plan_free(once.plan);
-    return done;
+    return true;
 }
 
 bool fft_forward(fftw_complex *out, double *in, size_t n)

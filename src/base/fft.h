@@ -1,7 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Fourier transforms by FFTW, whose planner is the one part of it that threads have to take turns at. Where FFTW finds
- * no memory, in its planner or in a transform, it would end the process; called through here it is left instead, and
- * what it had got by then is lost. */
+/* Fourier transforms by FFTW, whose planner is the one part of it that threads have to take turns at. */
 #ifndef BASE_FFT_H
 #define BASE_FFT_H
 
@@ -10,13 +8,8 @@
 #include <fftw3.h>
 #include <stddef.h>
 
-/** Does work(context), of which nothing but FFTW allocates, and which frees nothing. False: out of memory, and
- * the work is undone in part. For any thread, and each for itself. */
-MUST_CHECK bool fft_try(void (*work)(void *context), void *context);
-/** The same of what makes plans, with no other thread at it. */
-MUST_CHECK bool fft_plan(void (*work)(void *context), void *context);
-/** Runs a plan on the arrays it was made for. False: out of memory. */
-MUST_CHECK bool fft_run(fftw_plan plan);
+/** Does work(context), which makes plans, with no other thread at it. */
+void fft_plan(void (*work)(void *context), void *context);
 /** NULL does nothing. */
 void fft_plan_free(fftw_plan plan);
 
@@ -35,9 +28,9 @@ void fft_room_free(struct fft_room *room);
 size_t fft_quick(size_t most, size_t factor);
 
 /** out[k] = sum in[j] exp(-2 pi i jk/n), k = 0 ... n/2. Both arrays from fftw_alloc or fft_room_make(), those of
- * n > 32768 perhaps the same; `in` may be overwritten. False: out of memory. */
+ * n > 32768 perhaps the same; `in` may be overwritten. False: no plan. */
 MUST_CHECK bool fft_forward(fftw_complex *out, double *in, size_t n);
-/** The inverse times n. `in` may be overwritten. False: out of memory. */
+/** The inverse times n. `in` may be overwritten. False: no plan. */
 MUST_CHECK bool fft_backward(double *out, fftw_complex *in, size_t n);
 
 #endif

@@ -139,7 +139,6 @@ static const struct {
      0,
      "W/m2/K, kW/m2/K, W/cm2/K"},
     {UNIT_POWER, "a power", "W", {2, 1, -3, 0, 0}, 0, "W, mW, kW"},
-    {UNIT_TORQUE, "a torque", "N m", {2, 1, -2, 0, 0}, 0, "N m, N cm, mN m"},
 };
 
 bool unit_spell(char spelling[UNIT_LENGTH], const char *text, size_t length)

@@ -39,7 +39,6 @@ enum unit_quantity {
     UNIT_CONDUCTANCE = 1 << 19,                           /* W/K: of heat */
     UNIT_CONDUCTANCE_AREA = 1 << 20,                      /* W/(m² K): of heat, by area */
     UNIT_POWER = 1 << 21,                                 /* W */
-    UNIT_TORQUE = 1 << 22,                                /* N m */
     UNIT_LOADS = UNIT_NUMBER | UNIT_FORCE | UNIT_PRESSURE /* P/(A_n E') or one of the others */
 };
 

@@ -88,6 +88,7 @@ static enum status_code add_quarters(struct simulated *out, const struct record_
                                             body->spacing_m};
         if (ensemble_add(&out->quarters, k, &part, &scan->how, status) != STATUS_OK)
             return status->code;
+        out->quarters.members[k].seed = (uint64_t)k << 48;
     }
     if (out->quarters.keeps_heights &&
         strips_gather(&out->strips, &out->quarters, scan->body[1].points > 0, status) == STATUS_OK)

@@ -11,6 +11,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 /* Surfaces: Okabe and Ito's hues with their lightness moved until each stands out from white, and any two still differ
  * for deuteranopes and protanopes. Sweeps: one ramp from dark violet to gold. Models have their colours in their rows.
@@ -21,12 +22,7 @@ static const char *const sweep_colours[] = {"#431575", "#2b338f", "#025185", "#0
                                             "#058a64", "#4f9737", "#939803", "#c79608"};
 static const char ink[] = "#222222", quiet[] = "#8a8a8a";
 static const char no_break[] = "\u00a0";
-enum {
-    COLOURS = sizeof surface_colours / sizeof *surface_colours,
-    DASH_OUTSIDE = 2,
-    DASH_OTHER = 4,
-    DASH_UNLOADING = 5
-};
+enum { COLOURS = sizeof surface_colours / sizeof *surface_colours, DASH_OUTSIDE = 2, DASH_OTHER = 4 };
 
 #define NOTE(note) (1u << (note))
 
@@ -97,19 +93,18 @@ static void put_part(struct chart *chart, const struct source *source, const str
     }
 }
 
-/** A model's curve of a surface, dashed outside its range of validity, and that of falling load, named once. */
+/** A model's curve of a surface, dashed outside its range of validity. */
 static void put_curve(struct chart *chart, const struct source *source, const struct surface_record *record, size_t m,
                       const struct axis axis[2], struct chart_curve look)
 {
     const struct model_curve *curve = &record->curves[m];
-    const struct surface_unloading *unloading = record->summary.unloading;
     const double sigma_m = record->summary.asperities.sigma_m;
     if (!curve->exists)
         return;
     struct curve_validity valid = curve_summary_validity(curve, model_rows[m]);
     for (int n = 0; n < FIGURE_NOTES && quantity_rows[axis[1].quantity].note; n++)
         look.notes |= strcmp(figure_notes[n], quantity_rows[axis[1].quantity].note) == 0 ? NOTE(n) : 0;
-    struct chart_curve outside = look, falling = look;
+    struct chart_curve outside = look;
     outside.dash = DASH_OUTSIDE;
     outside.width = 1.2;
     outside.legend = valid.end > valid.first ? "" : look.legend;
@@ -125,13 +120,6 @@ static void put_curve(struct chart *chart, const struct source *source, const st
         chart_curve(chart, &outside);
         put_part(chart, source, curve->points + from, curve->count - from, axis, sigma_m);
     }
-    if (!unloading || unloading->model != m)
-        return;
-    falling.legend = record == source->baseline ? SAY("unloading") : "";
-    falling.dash = DASH_UNLOADING;
-    falling.width = 1.6;
-    chart_curve(chart, &falling);
-    put_part(chart, source, unloading->points, unloading->ratio.count, axis, sigma_m);
 }
 
 static struct chart_curve model_look(size_t m)
@@ -843,6 +831,23 @@ enum status_code figures_draw(struct figures *out, const struct results *results
     }
     mustache_folder_free(&folder);
     return status->code;
+}
+
+enum status_code figures_check(const struct figures *figures, const char *directory, struct status *status)
+{
+    for (size_t i = 0; i < figures->count; i++) {
+        struct text file = {0};
+        struct stat drawn;
+        text_add(&file, "%s/figures/%s.svg", directory, figures->figure[i].name);
+        bool good = !file.failed && stat(text_string(&file), &drawn) == 0 && drawn.st_size > 0;
+        text_free(&file);
+        if (!good)
+            return status_fail(status, STATUS_CHART,
+                               "gnuplot did not draw '%s.svg' and did not say why: see whether it runs by itself "
+                               "('gnuplot -d')",
+                               figures->figure[i].name);
+    }
+    return STATUS_OK;
 }
 
 enum status_code figures_letters(struct text *out, const struct figures *figures, const char *directory,

@@ -55,6 +55,9 @@ struct figures_task {
 MUST_CHECK enum status_code figures_draw(struct figures *out, const struct results *results,
                                          const struct figures_task *task, struct status *status);
 
+/** Is every chart drawn, once gnuplot has finished? Error: STATUS_CHART: one is not, though gnuplot did not complain. */
+MUST_CHECK enum status_code figures_check(const struct figures *figures, const char *directory, struct status *status);
+
 /** Takes those drawn with letters, once gnuplot has finished. Errors: STATUS_IO, STATUS_MEMORY. */
 MUST_CHECK enum status_code figures_letters(struct text *out, const struct figures *figures, const char *directory,
                                             struct status *status);

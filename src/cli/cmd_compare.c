@@ -38,8 +38,9 @@ const struct argp command_compare_argp = {
     .options = options,
     .parser = parse,
     .args_doc = "OUT OUT...",
-    .doc = "Ranks the surfaces of finished reports at the first one's operating load, by its leading model, with 95 % "
-           "intervals and a test whether more scans would show the order again; and prints up to 20 reports side by "
+    .doc = "Ranks the surfaces of finished reports at the first one's operating load, by its leading model (with or "
+           "without hardness, as each has it), with 95 % intervals and a test whether more scans would show the order "
+           "again; and prints up to 20 reports side by "
            "side, with what went in that differs."};
 
 int command_compare(int argc, char **argv)

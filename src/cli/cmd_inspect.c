@@ -123,6 +123,8 @@ static enum status_code draw(const struct profile *profile, struct status *statu
     return rc;
 }
 
+enum { REFUSALS_SAID = 10 }; /* more are counted */
+
 /** What was looked at so far. */
 struct outcome {
     json_t *all;
@@ -137,7 +139,7 @@ static void refuse(struct outcome *outcome, const struct arguments *arguments, c
     if (arguments->json)
         json_array_append_new(outcome->all,
                               json_pack("{s:o, s:o}", "file", json_shown(path), "error", json_shown(message)));
-    else
+    else if (outcome->refused <= REFUSALS_SAID)
         command_complain("", message);
 }
 
@@ -257,6 +259,8 @@ int command_inspect(int argc, char **argv)
         else
             inspect_file(&outcome, &arguments, path, arguments.scan);
     }
+    if (!arguments.json && outcome.refused > REFUSALS_SAID)
+        fprintf(stderr, "and %zu more scans refused; --json names all\n", outcome.refused - REFUSALS_SAID);
     if (!arguments.json)
         json_decref(outcome.all);
     else

@@ -38,7 +38,7 @@ static const struct argp_option scene_options[] = {
     {"material", 'm', "MATERIAL", 0, "a built-in material (default: the scene's, else none)", 1},
     {"effects", 'e', "EFFECTS", 0,
      "auto, some of plasticity, separation, electrical, thermal, scale-dependent, stiffness, last-scale, "
-     "convergence, uncertainty, unloading, direct, gap, film, plating, heating, shape, or both, with commas (default: "
+     "convergence, uncertainty, direct, gap, film, plating, heating, shape, or both, with commas (default: "
      "the scene's, else auto)",
      1},
     {"tolerance", 't', "REL", 0, "relative tolerance of every number, 1e-14 to 0.1 (default: the scene's, else 1e-6)",
@@ -92,7 +92,9 @@ static const struct argp_option report_options[] = {
     {"jobs", 'j', "N", 0, "threads, 1 to 64 (default: one a processor)", 0},
     {"show", 's', 0, 0, "also draw the main charts as text (default: not)", 0},
     {"no-cost", KEY_NO_COST, 0, 0, "leave out the section on what accuracy costs in time (default: not)", 0},
-    {"check", KEY_CHECK, 0, 0, "end with exit status 5 where a surface misses one of the scene's limits (default: not)",
+    {"check", KEY_CHECK, 0, 0,
+     "end with exit status 5 where a surface misses one of the scene's limits, 6 where none does and one is undecided "
+     "(default: not)",
      0},
     {"brief", KEY_BRIEF, 0, 0, "write the report's first page alone; data and results.json as ever (default: not)", 0},
     {"template", KEY_TEMPLATE, "FILE", 0, "fill FILE in place of the program's report.md (docs/templates.md)", 0},
@@ -117,6 +119,8 @@ static error_t parse_report(int key, char *value, struct argp_state *state)
     char *end;
     if (key == ARGP_KEY_INIT)
         state->child_inputs[0] = arguments;
+    else if (key == 'o' && strcmp(value, "-") == 0)
+        argp_error(state, "-o takes the folder of the report, not '-': --json prints its numbers to standard output");
     else if (key == 'o')
         arguments->run.output = value;
     else if (key == 'j') {
@@ -183,7 +187,6 @@ static void print_times(const struct run_times *times)
         print_time(model_rows[m]->label, times->models[m]);
     print_time("convergence", times->convergence);
     print_time("uncertainty", times->uncertainty);
-    print_time("unloading", times->unloading);
     print_time("direct solution", times->direct);
     print_time("what accuracy costs", times->cost);
     print_time("tables and json", times->tables);
@@ -231,9 +234,11 @@ static int report(char **written, struct arguments *arguments, struct scene *sce
             printf("%s\n%s\n", text_string(&outcome.table), outcome.path);
         if (outcome.refused + outcome.left_out > 0)
             exit_status = COMMAND_REFUSED;
-        if (arguments->check && outcome.missed_count > 0) {
+        if (arguments->check && outcome.missed_count + outcome.undecided_count > 0) {
             fputs(text_string(&outcome.missed), stderr);
-            exit_status = COMMAND_MISSED; /* the refused are named too, but this is what was asked */
+            fputs(text_string(&outcome.undecided), stderr);
+            /* the refused are named too, but this is what was asked */
+            exit_status = outcome.missed_count > 0 ? COMMAND_MISSED : COMMAND_UNDECIDED;
         }
         if (arguments->verbose) {
             fprintf(stderr, "\n%s", text_string(&outcome.work));

@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 struct arguments {
     struct synth_def def;
@@ -61,7 +62,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
     else if (key == 'd')
         def->seed = (unsigned long)number("seed", value, 0, 4294967295.0, true, state);
     else if (key == 'o')
-        arguments->output = value;
+        arguments->output = strcmp(value, "-") == 0 ? NULL : value;
     else
         return ARGP_ERR_UNKNOWN;
     return 0;

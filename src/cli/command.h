@@ -9,14 +9,15 @@
 
 #include <argp.h>
 
-/** Exit statuses of every command (documented in the README; command_statuses says them). */
+/** Exit statuses of every command (docs/commands.md; command_statuses says them). */
 enum command_exit {
     COMMAND_DONE = 0,
-    COMMAND_REFUSED = 1, /* a report was written, but some scan was refused; self-test: a number is off */
+    COMMAND_REFUSED = 1, /* a report was written, but some scan was refused */
     COMMAND_USAGE = 2,
     COMMAND_SCENE = 3,
-    COMMAND_NOTHING = 4, /* nothing could be reported, or not on standard output */
-    COMMAND_MISSED = 5,  /* report --check: a report was written, but a surface misses a limit */
+    COMMAND_NOTHING = 4,   /* nothing could be reported, or not on standard output */
+    COMMAND_MISSED = 5,    /* report --check: a report was written, but a surface misses a limit */
+    COMMAND_UNDECIDED = 6, /* report --check: none misses one, but of one it is undecided, or no value is known */
     COMMAND_STATUSES,
 };
 
@@ -33,18 +34,17 @@ struct command_row {
     command_run *run;
     const struct argp *argp; /* its options */
 };
-enum { COMMANDS = 11 };
+enum { COMMANDS = 9 };
 extern const struct command_row command_rows[COMMANDS];
 
 /** All of the program but main(): picks the command. */
 command_run command_main;
 
-command_run command_report, command_direct, command_plan, command_compare, command_view, command_inspect, command_init,
-    command_synth, command_models, command_materials, command_self_test;
+command_run command_report, command_direct, command_plan, command_compare, command_inspect, command_init, command_synth,
+    command_models, command_materials;
 
 extern const struct argp command_report_argp, command_direct_argp, command_plan_argp, command_inspect_argp,
-    command_init_argp, command_compare_argp, command_synth_argp, command_view_argp, command_models_argp,
-    command_materials_argp, command_self_test_argp;
+    command_init_argp, command_compare_argp, command_synth_argp, command_models_argp, command_materials_argp;
 
 /** Reads the command line, to the end of the program where it is wrong (COMMAND_USAGE) or asks for help. */
 void command_parse(const struct argp *argp, int argc, char **argv, void *input);

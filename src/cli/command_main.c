@@ -21,13 +21,10 @@ const struct command_row command_rows[COMMANDS] = {
      &command_inspect_argp},
     {"compare", "OUT OUT...", "finished reports side by side: what differs, is it significant", command_compare,
      &command_compare_argp},
-    {"view", "DIR|OUT", "the worded values that a report's templates are filled from", command_view,
-     &command_view_argp},
     {"synth", "[-o FILE]", "write a scan that obeys a given power law", command_synth, &command_synth_argp},
     {"models", "", "the models, their sources and where they are valid", command_models, &command_models_argp},
     {"materials", "", "the built-in materials, platings and fillers, and their sources", command_materials,
      &command_materials_argp},
-    {"self-test", "", "does this build compute correctly here?", command_self_test, &command_self_test_argp},
 };
 
 const char *const command_statuses[COMMAND_STATUSES] = {
@@ -37,6 +34,7 @@ const char *const command_statuses[COMMAND_STATUSES] = {
     [COMMAND_SCENE] = "scene invalid",
     [COMMAND_NOTHING] = "nothing could be reported, or not on standard output",
     [COMMAND_MISSED] = "report --check: a limit is missed",
+    [COMMAND_UNDECIDED] = "report --check: no limit is missed, but one is undecided",
 };
 
 /** The list of commands, as --help prints it. */
@@ -52,7 +50,7 @@ static void list_commands(FILE *stream)
     for (int i = 0; i < COMMAND_STATUSES; i++)
         fprintf(stream, "%s%d %s%s", i % 3 == 0 ? "\n" : " ", i, command_statuses[i],
                 i + 1 < COMMAND_STATUSES ? ";" : ".\n");
-    fputs("self-test ends with 1 where a number is off; 128 + its number: ended by a signal.\n", stream);
+    fputs("128 + its number: ended by a signal.\n", stream);
 }
 
 /** Runs the command of that name, argv[0]. */

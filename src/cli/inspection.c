@@ -54,13 +54,18 @@ static enum status_code fit_law(struct inspection *out, struct status *status)
     const struct power_law_scans_def def = {map ? 0 : out->options.lambda_s_m, NULL};
     const struct profile *profile = &out->profile;
     struct power_law_scans single = {0}, *scans = map ? &out->areal.scans : &single;
+    struct spectrum own = {0};
     struct power_law_band band;
     enum status_code code = STATUS_OK;
     if (!map)
         code = power_law_scans_add(&single, profile->height_m, profile->points, profile->spacing_m, profile->digit_m,
                                    status);
+    if (code == STATUS_OK && !map)
+        code = spectrum_compute(&own, profile->height_m, profile->points, profile->spacing_m,
+                                spectrum_window_for(SPECTRUM_WINDOW_AUTO, profile->periodic), status);
     if (code == STATUS_OK && (code = power_law_scans_fit(&band, scans, &def, status)) == STATUS_OK)
-        out->power_law = power_law_of_band(&band);
+        out->power_law = power_law_of_band(&band, map ? &out->areal.spectrum : &own);
+    spectrum_free(&own);
     power_law_scans_free(&single);
     return code;
 }
@@ -227,10 +232,11 @@ json_t *inspection_view(const char *path, const struct inspection *f)
     show(view, "wavelength_um", law->wavelength_m * 1e6, 3);
     show(view, "psd_m3", law->psd_m3, 3);
     snprintf(gamma, sizeof gamma, "%.3f +- %.3f", law->gamma, law->gamma_error);
-    json_object_update_new(view, json_pack("{s:b, s:b, s:b, s:b, s:b, s:s}", "map", f->scan.kind == SCAN_AREAL,
-                                           grids[f->profile.grid], true, "periodic", f->profile.periodic, "no_law",
-                                           law->found == POWER_LAW_BAND_NONE, "narrow",
-                                           law->found == POWER_LAW_BAND_NARROW, "gamma", gamma));
+    json_object_update_new(view,
+                           json_pack("{s:b, s:b, s:b, s:b, s:b, s:b, s:s}", "map", f->scan.kind == SCAN_AREAL,
+                                     grids[f->profile.grid], true, "periodic", f->profile.periodic, "no_law",
+                                     law->found == POWER_LAW_BAND_NONE, "narrow", law->found == POWER_LAW_BAND_NARROW,
+                                     "scattered", law->found == POWER_LAW_BAND_SCATTERED, "gamma", gamma));
     if (f->has_parameters)
         show_parameters(parameters, &f->primary);
     if (f->has_filtered)

@@ -16,8 +16,6 @@ const struct effect_row effect_rows[EFFECT_COUNT] = {
         {"last-scale", {"resistivity_ohm_m"}, EFFECT_BIT(EFFECT_ELECTRICAL), .adds = true, .only_listed = true},
     [EFFECT_CONVERGENCE] = {"convergence", {NULL}, 0, .studies = true},
     [EFFECT_UNCERTAINTY] = {"uncertainty", {NULL}, 0, .studies = true},
-    [EFFECT_UNLOADING] =
-        {"unloading", {"Sy_Pa"}, EFFECT_BIT(EFFECT_PLASTICITY), "unload_from", .adds = true, .only_listed = true},
     [EFFECT_DIRECT] = {"direct", {NULL}, 0, .studies = true},
     [EFFECT_GAP] = {"gap",
                     {"conductivity_W_per_mK"},

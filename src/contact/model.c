@@ -145,18 +145,16 @@ enum quantity model_shown(const struct model_row *row, enum quantity quantity)
 
 double model_sd(const struct model_row *row, enum quantity quantity)
 {
-    bool resistance = QUANTITY_RESISTANCES & QUANTITY_BIT(quantity);
-    return quantity == QUANTITY_AREA         ? row->ln_sd[0]
-           : quantity == QUANTITY_SEPARATION ? row->ln_sd[1]
-           : resistance                      ? row->ln_sd[2]
-                                             : 0;
+    const enum quantity_follows follows = quantity_rows[quantity].follows;
+    return follows == FOLLOWS_NOTHING ? 0 : row->ln_sd[follows - 1];
 }
 
 double model_rms(const struct model_row *row, enum quantity quantity, bool one_scan, bool hard)
 {
-    const int column = quantity == QUANTITY_AREA                                          ? 0
-                       : quantity == QUANTITY_SEPARATION || quantity == QUANTITY_MEAN_GAP ? 1
-                                                                                          : 2;
+    const enum quantity_follows follows = quantity_rows[quantity].follows;
+    if (follows == FOLLOWS_NOTHING)
+        return 0;
+    const int column = (int)follows - 1;
     double rms = row->ln_rms[hard ? MODEL_SCANS_HARD : one_scan ? MODEL_SCAN : MODEL_SCANS][column];
     const struct model_row *elastic = row->elastic ? row->elastic : row;
     return hard && one_scan && rms > 0 ? fmax(rms, elastic->ln_rms[MODEL_SCAN][column]) : rms;

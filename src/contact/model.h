@@ -6,6 +6,7 @@
 
 #include "contact/asperity.h"
 #include "contact/bearing.h"
+#include "contact/cmy.h"
 #include "contact/quantity.h"
 #include "contact/sinusoid.h"
 #include "contact/transfer.h"
@@ -16,6 +17,7 @@
 /** What a model is asked: one surface, one pair of bodies, a list of loads. */
 struct model_task {
     const struct spectrum *spectrum;
+    struct cmy rough;                    /* the surface's own sigma and mean slope; 0: those of its spectrum */
     const struct asperities *asperities; /* NULL: no statistical model exists for this surface */
     const struct material_pair *pair;
     const double *loads; /* P/(A_n E'), ascending */
@@ -86,7 +88,8 @@ struct model_row {
     bool ends;                     /* it has no numbers beyond that */
     double stiffness_step; /* in ln P to either side, over which model_run() takes the slope of its separation; 0: it
                               computes its stiffness itself, or none */
-    bool textbook;         /* handbooks print it: the first page sets it beside the leading one */
+    bool textbook;         /* handbooks print it: the first page sets it beside the leading one, where it is valid. It
+                              follows from the surface's own sigma and slope; its scans alone say how these scatter */
     int precedence;        /* the summary speaks of the running model with the greatest */
     int thesis_place;      /* among the four charts of each quantity in chapter 6, 1...4; 0: not in the thesis */
     bool in_findings;      /* the findings of chapter 6 are checked on it */
@@ -139,10 +142,10 @@ MUST_CHECK enum status_code model_run(struct model_curve *curve, const struct mo
 struct contact_point model_point(const struct transfer_point *contact, const struct model_row *row,
                                  const struct model_task *task);
 
-/** Its ln_rms of a quantity, of what the joint makes of a resistance as of that; 0: not measured. Of one scan where
+/** Its ln_rms of what the quantity follows; 0: not measured. Of one scan where
  * metal yields nothing was measured: the larger of the two. */
 double model_rms(const struct model_row *row, enum quantity quantity, bool one_scan, bool hard);
-/** Its ln_sd of a quantity. */
+/** Its ln_sd of what the quantity follows. */
 double model_sd(const struct model_row *row, enum quantity quantity);
 /** How many of their longest waves the scans hold (spectrum_longest_waves()) whose ends are open; 0: they close. */
 double model_task_longest_waves(const struct model_task *task);

@@ -8,7 +8,9 @@
 /** The surface of a task; false: it has no slope, or the hardness is not known. */
 static bool surface_of(struct cmy *out, const struct model_task *task)
 {
-    *out = (struct cmy){sqrt(spectrum_moment(task->spectrum, 0)), cmy_slope(spectrum_moment(task->spectrum, 1))};
+    *out = task->rough;
+    if (out->sigma_m == 0)
+        *out = (struct cmy){sqrt(spectrum_moment(task->spectrum, 0)), cmy_slope(spectrum_moment(task->spectrum, 1))};
     return out->sigma_m > 0 && out->slope > 0 && task->hardness_Pa > 0;
 }
 

@@ -100,14 +100,19 @@ enum {
     QUANTITY_SIGMA_ALONE = 16 /* data/ has it as a multiple of sigma only */
 };
 
+/** Which of what a model is off by, or a scan leaves open, changes the quantity: the factor of area, gap or resistance.
+ */
+enum quantity_follows { FOLLOWS_NOTHING, FOLLOWS_AREA, FOLLOWS_GAP, FOLLOWS_RESISTANCE, FOLLOWS_COUNT };
+
 struct quantity_row {
-    const char *name;           /* in results.json and data/, with its SI unit */
-    const char *short_symbol;   /* in running text: "ECR" */
-    const char *unit;           /* SI, "" for a ratio */
-    const char *meaning;        /* in docs/report.md */
-    unsigned effect;            /* EFFECT_BITs that it belongs to, any of them; 0: every run has it */
-    unsigned from;              /* QUANTITY_BITs that it is made of once a model has run; 0: the model computes it */
-    unsigned is;                /* the bits above */
+    const char *name;         /* in results.json and data/, with its SI unit */
+    const char *short_symbol; /* in running text: "ECR" */
+    const char *unit;         /* SI, "" for a ratio */
+    const char *meaning;      /* in docs/report.md */
+    unsigned effect;          /* EFFECT_BITs that it belongs to, any of them; 0: every run has it */
+    unsigned from;            /* QUANTITY_BITs that it is made of once a model has run; 0: the model computes it */
+    unsigned is;              /* the bits above */
+    enum quantity_follows follows;
     const char *sigma_column;   /* of a length that is shown as a multiple of sigma, in data/; NULL: none */
     struct quantity_unit shown; /* tables and charts have it in that; none: SI */
     struct quantity_unit handy; /* `compare` does; none: it leaves it out */

@@ -83,13 +83,14 @@ static void phases_free(struct phases *phases)
 }
 
 /** A Gaussian row. */
-static void draw_row(double *out, struct phases *phases, size_t length, uint64_t seed, struct status *status)
+static void draw_row(double *out, struct phases *phases, size_t length, uint64_t seed, uint64_t first,
+                     struct status *status)
 {
-    double normal = gsl_cdf_ugaussian_Pinv(direct_random(seed, 0) + ldexp(1, -54));
+    double normal = gsl_cdf_ugaussian_Pinv(direct_random(seed, first) + ldexp(1, -54));
     phases->room.transform[0][0] = phases->mean_m + phases->deviation_m * normal;
     phases->room.transform[0][1] = 0;
     for (size_t k = 1; k <= length / 2; k++) {
-        double angle = 2 * M_PI * direct_random(seed, k);
+        double angle = 2 * M_PI * direct_random(seed, first + k);
         bool nyquist = 2 * k == length; /* real, and its mean square that of its amplitude */
         phases->room.transform[k][0] = phases->amplitude[k] * (nyquist ? copysign(1, cos(angle)) : cos(angle));
         phases->room.transform[k][1] = nyquist ? 0 : phases->amplitude[k] * sin(angle);
@@ -208,20 +209,6 @@ static enum status_code solve_strip(struct strip_curve *curve, struct solver *so
     return STATUS_OK;
 }
 
-/** A seed that a row's first heights make, which no two rows share: its surrogates depend neither on its name nor on its
- * place (FNV-1a). */
-static uint64_t seed_of(const double *height_m, size_t points)
-{
-    enum { HEIGHTS = 64 };
-    uint64_t hash = UINT64_C(0xcbf29ce484222325), bits;
-    for (size_t k = 0; k < points && k < HEIGHTS; k++) {
-        memcpy(&bits, &height_m[k], sizeof bits);
-        for (int byte = 0; byte < 8; byte++)
-            hash = (hash ^ (bits >> 8 * byte & 0xff)) * UINT64_C(0x100000001b3);
-    }
-    return hash;
-}
-
 enum status_code strip_solve(struct strip *out, const struct strip_rows *rows, size_t surrogates,
                              const atomic_bool *stop, struct status *status)
 {
@@ -239,8 +226,8 @@ enum status_code strip_solve(struct strip *out, const struct strip_rows *rows, s
         struct strip_curve *curve = &out->surrogate[out->surrogates];
         struct status problem = {0};
         for (size_t r = 0; r < rows->rows && s % 2 == 0; r++)
-            draw_row(solver.strip_m + r * length, &phases, length,
-                     seed_of(rows->height_m + r * rows->points, rows->points) + s / 2, status);
+            draw_row(solver.strip_m + r * length, &phases, length, rows->seed ? rows->seed[r] + s / 2 : s / 2 + 1,
+                     rows->seed ? 0 : r << 32, status);
         for (size_t k = 0; k < points && s % 2 == 1; k++) /* turned over, which is as likely and errs the other way */
             solver.strip_m[k] = 2 * phases.mean_m - solver.strip_m[k];
         if (status->code == STATUS_OK)

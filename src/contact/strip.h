@@ -24,7 +24,8 @@ struct strip_rows {
     const double *height_m; /* rows x points */
     size_t rows, points;
     double spacing_m;
-    bool periodic; /* each closes on itself; else it is mirrored */
+    bool periodic;        /* each closes on itself; else it is mirrored */
+    const uint64_t *seed; /* one a row, of its surrogates' phases; NULL: its number */
 };
 
 /** The rows one after another, each with its mirror image behind it unless periodic: so many heights, malloc'ed; NULL:
@@ -49,7 +50,7 @@ struct strip {
 
 /** Joins the rows to one strip and solves it, and as many surrogates:
  * every row with random phases on these rows' mean power and a normal mean of these rows' mean and deviation, hashed
- * from the row's heights, so that it keeps its phases whatever other rows there are and whatever its file is called;
+ * from the row's seed, so that it keeps its phases whatever other rows there are;
  * every second one is the one before turned over. Loads and surrogates that do not converge are left out. Errors:
  * STATUS_MODEL: flat rows, or not one load under which enough points touch and the solution converges;
  * STATUS_INTERRUPTED when *stop (NULL: never) becomes non-zero; STATUS_MEMORY. */

@@ -57,8 +57,6 @@ static enum status_code iterate(double *length_m, struct direct_contact *contact
     for (size_t k = 0; k < count; k++)
         residual[k] = kernel->field[set[k]] - potential;
     for (int iteration = 0;; iteration++) {
-        if (kernel->exhausted)
-            return status_memory(status);
         double most = 0;
         for (size_t k = 0; k < count; k++)
             most = fabs(residual[k]) > most ? fabs(residual[k]) : most;

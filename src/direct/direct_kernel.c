@@ -60,12 +60,14 @@ static enum status_code make(struct direct_kernel *out, struct status *status)
     out->compliance = malloc(quarter * sizeof(double));
     out->stiffness = malloc(quarter * sizeof(double));
     if (!out->field || !out->row || !out->columns || !out->transformed || !out->compliance || !out->stiffness ||
-        (out->mirrored && (!out->line || !out->turn)) || !fft_plan(make_plans, out))
+        (out->mirrored && (!out->line || !out->turn)))
         (void)status_memory(status);
-    if (status->code != STATUS_OK)
+    if (status->code != STATUS_OK) {
         direct_kernel_free(out);
-    else
+    } else {
+        fft_plan(make_plans, out);
         fill_tables(out);
+    }
     return status->code;
 }
 
@@ -280,9 +282,8 @@ static void pass_row(struct pass *pass)
         fftw_execute_dft_c2r(kernel->row_backward, kernel->row, kernel->field);
 }
 
-static void make_pass(void *context)
+static void make_pass(struct pass *pass)
 {
-    struct pass *pass = context;
     if (pass->kernel->ny == 1) {
         pass_row(pass);
         return;
@@ -295,12 +296,12 @@ static void make_pass(void *context)
 
 void direct_kernel_convolve(struct direct_kernel *kernel, const double *table, const uint8_t *wanted)
 {
-    kernel->exhausted |= !fft_try(make_pass, &(struct pass){kernel, table, wanted, true, 0});
+    make_pass(&(struct pass){kernel, table, wanted, true, 0});
 }
 
 double direct_kernel_energy(struct direct_kernel *kernel, const double *table)
 {
     struct pass pass = {kernel, table, NULL, false, 0};
-    kernel->exhausted |= !fft_try(make_pass, &pass);
+    make_pass(&pass);
     return pass.energy;
 }

@@ -46,7 +46,7 @@ struct direct_kernel {
     fftw_complex *columns, *transformed; /* some columns and one's transform */
     fftw_plan row_forward, row_backward, column_forward, column_backward;
     size_t transforms; /* of the field, forth or back, done so far: two a convolution */
-    bool exhausted;    /* one of them found no memory: the field is of no use, nor what is made of it */
+    bool exhausted;    /* what leads it found no memory: the field is of no use, nor what is made of it */
 };
 
 /** nx >= 2, ny >= 1, the same of a mirrored grid; with ny = 1 it is a strip, without strain across. A transform is made
@@ -61,10 +61,10 @@ void direct_kernel_free(struct direct_kernel *kernel);
 
 /** Replaces `field` f by the field with the transform f̂ times `table`: compliance, stiffness (its inverse, for a field
  * of mean 0), or another of their shape. `wanted`, one a row: whether; others then hold nothing of use. NULL: all. Rows
- * of zeros, and those not wanted, cost nothing. Where FFTW finds no memory for it, kernel->exhausted says so. */
+ * of zeros, and those not wanted, cost nothing. */
 void direct_kernel_convolve(struct direct_kernel *kernel, const double *table, const uint8_t *wanted);
 
-/** <f, table f>, by Parseval's theorem half a convolution; `field` f is used up. Without memory as above. */
+/** <f, table f>, by Parseval's theorem half a convolution; `field` f is used up. */
 double direct_kernel_energy(struct direct_kernel *kernel, const double *table);
 
 #endif

@@ -31,12 +31,4 @@ double direct_point_value(const struct direct_point *point, enum direct_quantity
 MUST_CHECK enum status_code direct_ladder_run(struct direct_point *out, struct direct_contact *contact,
                                               const struct direct_ladder_def *def, struct status *status);
 
-/** A surface, not solved yet, down from def->load[0], the largest load that it sees, on both branches: `up` as on the
- * way there, `down` with the shape that has flowed there kept, h + min(g, 0). Loads descend; from the first one on that
- * has fewer than least_patches of contact on the way up no point exists. Errors: STATUS_MODEL: the largest load is no
- * less than the hardness; those of the solutions. */
-MUST_CHECK enum status_code direct_ladder_loop(struct direct_point *up, struct direct_point *down,
-                                               struct direct_contact *loaded, const struct direct_ladder_def *def,
-                                               size_t least_patches, struct status *status);
-
 #endif

@@ -167,7 +167,6 @@ struct modes {
     double *field;     /* n x stride */
     double *amplitude; /* sqrt(v) of |i|, |j| = 0 ... n/2, square; NULL where not asked for */
     fftw_plan forward, backward;
-    bool exhausted; /* a transform found no memory */
 };
 
 static void modes_free(struct modes *modes)
@@ -191,10 +190,9 @@ static enum status_code modes_make(struct modes *out, size_t n, struct status *s
 {
     assert(n >= 4 && n % 2 == 0);
     *out = (struct modes){.n = n, .stride = n + 2, .field = fftw_alloc_real(n * (n + 2))};
-    if (!out->field || !fft_plan(plan_modes, out)) {
-        modes_free(out);
+    if (!out->field)
         return status_memory(status);
-    }
+    fft_plan(plan_modes, out);
     memset(out->field, 0, n * out->stride * sizeof(double));
     return STATUS_OK;
 }
@@ -247,7 +245,7 @@ static void realise(double *height_m, struct modes *modes, uint64_t seed)
             mode[0] = amplitude_at(modes, i, j) * cos(angle);
             mode[1] = amplitude_at(modes, i, j) * sin(angle);
         }
-    modes->exhausted |= !fft_run(modes->backward);
+    fftw_execute(modes->backward);
     store(height_m, modes);
 }
 
@@ -260,16 +258,14 @@ enum status_code direct_surface_refine(double *fine_m, size_t times, const doubl
     if (modes_make(&fine, times * n, status) == STATUS_OK) {
         for (size_t j = 0; j < n; j++)
             memcpy(coarse.field + j * coarse.stride, height_m + j * n, n * sizeof(double));
-        coarse.exhausted |= !fft_run(coarse.forward);
+        fftw_execute(coarse.forward);
         for (size_t j = 0; j < n; j++)
             for (size_t i = 0; i < n / 2 && j != n / 2; i++)
                 for (int part = 0; part < 2; part++)
                     mode_at(&fine, i, j < n / 2 ? j : times * n - (n - j))[part] =
                         mode_at(&coarse, i, j)[part] / (double)(n * n);
-        fine.exhausted |= !fft_run(fine.backward);
+        fftw_execute(fine.backward);
         store(fine_m, &fine);
-        if (coarse.exhausted || fine.exhausted)
-            (void)status_memory(status);
         modes_free(&fine);
     }
     modes_free(&coarse);
@@ -318,7 +314,7 @@ static enum status_code quantiles(double *out, size_t count, const struct direct
 static double impose_amplitudes(struct modes *modes)
 {
     double points = (double)(modes->n * modes->n), changed = 0, all = 0;
-    modes->exhausted |= !fft_run(modes->forward);
+    fftw_execute(modes->forward);
     for (size_t j = 0; j < modes->n; j++)
         for (size_t i = 0; i <= modes->n / 2; i++) {
             double *mode = mode_at(modes, i, j), amplitude = amplitude_at(modes, i, j);
@@ -328,7 +324,7 @@ static double impose_amplitudes(struct modes *modes)
             changed += change * change;
             all += amplitude * amplitude;
         }
-    modes->exhausted |= !fft_run(modes->backward);
+    fftw_execute(modes->backward);
     return sqrt(changed / all);
 }
 
@@ -416,8 +412,6 @@ enum status_code direct_surface_make(double *height_m, size_t n, const struct di
             (void)give_heights(height_m, &modes, recipe, seed, status);
         else
             realise(height_m, &modes, seed);
-        if (modes.exhausted)
-            (void)status_memory(status);
     }
     modes_free(&modes);
     return status->code;

@@ -115,8 +115,9 @@ enum status_code shape_make(struct shape *out, size_t nx, size_t ny, const doubl
                            side_m[0], side_m[1], nx, ny);
     out->field = fftw_alloc_real(out->cells);
     out->room = calloc(FIELDS * out->cells, sizeof(double));
-    if (!out->field || !out->room || !fft_plan(make_plans, out))
+    if (!out->field || !out->room)
         return status_memory(status);
+    fft_plan(make_plans, out);
     out->pressure_Pa = out->room + (FIELDS - 1) * out->cells;
     out->ln_pressure = out->pressure_Pa - out->cells;
     out->table = out->ln_pressure - out->cells;
@@ -133,14 +134,13 @@ void shape_free(struct shape *shape)
     *shape = (struct shape){0};
 }
 
-/** The field becomes S[field] times what the table has of it. False: out of memory. */
-static bool apply(struct shape *shape)
+/** The field becomes S[field] times what the table has of it. */
+static void apply(struct shape *shape)
 {
-    if (!fft_run(shape->forth))
-        return false;
+    fftw_execute(shape->forth);
     for (size_t k = 0; k < shape->cells; k++)
         shape->field[k] *= shape->table[k];
-    return fft_run(shape->back);
+    fftw_execute(shape->back);
 }
 
 /** Sum of resistivity tanh(|q| t)/|q| over the two bodies, with the 1/(4 n_x n_y) of the cosine transforms. */
@@ -179,8 +179,7 @@ static enum status_code solve(double *y, struct shape *shape, const double *scal
             return status_fail(status, STATUS_MODEL, "its conjugate gradients do not converge");
         for (size_t k = 0; k < n; k++)
             field[k] = scale[k] * direction[k];
-        if (!apply(shape))
-            return status_memory(status);
+        apply(shape);
         double curvature = 0, before = square;
         for (size_t k = 0; k < n; k++) {
             field[k] = direction[k] + scale[k] * field[k];
@@ -223,8 +222,7 @@ static enum status_code step(double *change, struct shape *shape, const double *
     double *work = rest + 3 * n, *p = shape->pressure_Pa, *level = shape->level, *field = shape->field;
     double sums[2] = {0}, middle = 0, pressures = 0;
     memcpy(field, p, n * sizeof *p);
-    if (!apply(shape))
-        return status_memory(status);
+    apply(shape);
     for (size_t k = 0; k < n; k++) {
         double over = exp(level[k] - ln_hardness), free = 1 / (1 + over);
         double closing = level[k] > shape->ln_pressure[k] ? gap->above * (level[k] - shape->ln_pressure[k]) : 0;
@@ -246,8 +244,7 @@ static enum status_code step(double *change, struct shape *shape, const double *
     double approach = ((double)n * mean_Pa - pressures + sums[0]) / sums[1];
     for (size_t k = 0; k < n; k++)
         field[k] = scale[k] * (approach * y[1][k] - y[0][k]);
-    if (!apply(shape))
-        return status_memory(status);
+    apply(shape);
     const double low = log(negligible * mean_Pa), high = ln_hardness + step_most;
     *change = 0;
     for (size_t k = 0; k < n; k++) {

@@ -130,6 +130,7 @@ struct model_task member_task(struct asperities *asperities, const struct member
     struct model_task own = *task;
     struct status none = {0};
     own.spectrum = &member->spectrum;
+    own.rough = (struct cmy){member->roughness.rq_m, cmy_slope(member->roughness.m2)};
     if (member->strip) {
         own.rows = &member->strip->rows;
         own.strip = &member->strip->strip;
@@ -222,7 +223,7 @@ struct mean {
     const struct ensemble *set;
     const struct model_row *model;
     const struct model_task *task;
-    const struct model_curve *joined; /* the curve of all rows in one strip; NULL of a model that uses none */
+    const struct model_curve *joined; /* the curve of all rows in one strip, or of the textbook; NULL of other models */
 };
 
 /** The mean of what is in curves->value. Where nothing is left of a positive quantity in any of them, that is it. */
@@ -377,7 +378,7 @@ static enum status_code mean_curve(struct model_curve *curve, struct ensemble_re
     const struct model_curve *joined = of->joined;
     struct estimate estimates[QUANTITY_COUNT];
     const struct joint_task bare = {.pair = task->pair}, *joint = result->joint ? result->joint : &bare;
-    double share = of->set->scan_count > 1 ? 0.5 : 1, waves = model_task_longest_waves(task);
+    double share = of->set->scan_count > 1 && model->uses_strip ? 0.5 : 1, waves = model_task_longest_waves(task);
     size_t full = offsetof(struct model_curve, full_load), beta = offsetof(struct model_curve, beta);
     estimates[QUANTITY_LOAD] = estimate_none;
     curve->exists = true;
@@ -432,7 +433,7 @@ enum status_code ensemble_curve(struct model_curve *curve, struct ensemble_resul
     struct model_curve joined = {.points = malloc((task->load_count + 1) * sizeof *joined.points)};
     if (rc == STATUS_OK && !joined.points)
         rc = status_memory(status);
-    if (rc == STATUS_OK && model->uses_strip)
+    if (rc == STATUS_OK && (model->uses_strip || model->textbook))
         rc = model_run(&joined, model, task, status);
     const struct mean of = {&curves, set, model, task, joined.exists ? &joined : NULL};
     if (rc == STATUS_OK && curves.count > 0)

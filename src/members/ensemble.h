@@ -31,6 +31,7 @@ struct member {
     size_t points;
     double spacing_m;
     bool periodic; /* it closes on itself */
+    uint64_t seed; /* of the heights as they were measured, of its strip's surrogates */
 };
 
 /** A file. */

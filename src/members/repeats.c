@@ -53,6 +53,7 @@ static enum status_code cut_scan(struct ensemble *cut, const struct member *scan
                                             scan->spacing_m};
         if (ensemble_add(cut, scan->scan, &part, &how, status) != STATUS_OK)
             return status->code;
+        cut->members[cut->count - 1].seed = scan->seed + ((uint64_t)k << 48);
     }
     return STATUS_OK;
 }

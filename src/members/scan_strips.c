@@ -14,6 +14,7 @@ enum { ROW_FACTOR = 13 };
 void strips_free(struct strips *strips)
 {
     free(strips->height_m);
+    free(strips->seed);
     solved_strip_free(strips->joined);
     *strips = (struct strips){.height_m = NULL};
 }
@@ -56,7 +57,8 @@ enum status_code strips_gather(struct strips *out, struct ensemble *set, bool pa
     size_t scans = least(whole, pieces), each = pieces / scans;
     each = each > 2 ? 3 * each / 4 : each; /* the others move its answer by .1, and cost a third more */
     size_t spread = each > 1 ? each : scans;
-    if (!(out->height_m = malloc(scans * each * length * sizeof *out->height_m)))
+    if (!(out->height_m = malloc(scans * each * length * sizeof *out->height_m)) ||
+        !(out->seed = malloc(scans * each * sizeof *out->seed)))
         return status_memory(status);
     for (size_t p = 0, k = 0; p < set->count; p++) {
         struct member *member = &set->members[p];
@@ -66,13 +68,15 @@ enum status_code strips_gather(struct strips *out, struct ensemble *set, bool pa
         member->pieces = each;
         for (size_t i = 0; i < each; i++) {
             size_t place = each > 1 ? i : taken, first = spread > 1 ? place * (points - length) / (spread - 1) : 0;
+            out->seed[taken * each + i] = member->seed + (place << 32);
             memcpy(out->height_m + (taken * each + i) * length, member->height_m + first,
                    length * sizeof *out->height_m);
         }
         taken++;
     }
     out->in_part = !map && ((!fits && length < points) || scans < whole);
-    out->rows = (struct strip_rows){out->height_m, scans * each, length, spacing_m, periodic && length == points};
+    out->rows =
+        (struct strip_rows){out->height_m, scans * each, length, spacing_m, periodic && length == points, out->seed};
     return STATUS_OK;
 }
 
@@ -114,11 +118,16 @@ enum status_code strips_pair(struct strips *strips, struct ensemble *set, const 
     }
     size_t pairings = pairings_of(own.rows), rows = own.rows * pairings;
     double *height_m = malloc(rows * own.points * sizeof *height_m), step = own.spacing_m / theirs->spacing_m;
-    if (!height_m)
+    uint64_t *seed = malloc(rows * sizeof *seed);
+    if (!height_m || !seed) {
+        free(height_m);
+        free(seed);
         return status_memory(status);
+    }
     step = fabs(step - 1) < 1e-6 ? 1 : step;
     for (size_t r = 0; r < rows; r++) {
         size_t range[2];
+        seed[r] = strips->seed[r / pairings] + ((uint64_t)(r % pairings) << 40);
         partner_rows(range, set, r / pairings, other, other_set);
         size_t row = range[0] + (size_t)(direct_random(PAIRING_SEED, 2 * r) * (double)range[1]);
         double first = floor(direct_random(PAIRING_SEED, 2 * r + 1) * 2 * (double)theirs->points);
@@ -131,6 +140,9 @@ enum status_code strips_pair(struct strips *strips, struct ensemble *set, const 
         set->members[p].pieces *= pairings;
     }
     free(strips->height_m);
+    free(strips->seed);
+    strips->seed = seed;
+    strips->rows.seed = seed;
     strips->height_m = height_m;
     strips->rows.height_m = height_m;
     strips->rows.rows = rows;
@@ -149,6 +161,7 @@ static enum status_code solve(struct solved_strip **out, struct strips *strips, 
         return status_memory(status);
     solved->rows = strips->rows;
     solved->rows.height_m += first * strips->rows.points;
+    solved->rows.seed += first;
     solved->rows.rows = count;
     enum status_code rc =
         strip_solve(&solved->strip, &solved->rows, strips->roughly ? STRIP_ROUGHLY : STRIP_SURROGATES, stop, &problem);

@@ -17,6 +17,7 @@ enum {
 struct strips {
     struct strip_rows rows;      /* levelled with their scans, those of a member next to each other; rows 0: none */
     double *height_m;            /* theirs */
+    uint64_t *seed;              /* and a seed of each: its member's and its place in it */
     struct solved_strip *joined; /* all rows in one strip; NULL: not solved */
     struct status problem;       /* why it is not */
     bool roughly;                /* only the scatter of the members' answers is asked: STRIP_ROUGHLY */

@@ -43,6 +43,7 @@ struct model_task surface_model_task(const struct surface_record *record, const 
     const struct scene *scene = asked->scene;
     return (struct model_task){
         .spectrum = &record->spectrum,
+        .rough = record->summary.rough,
         .asperities = record->summary.has_asperities ? &record->summary.asperities : NULL,
         .pair = &record->summary.pair,
         .loads = asked->loads,
@@ -106,6 +107,7 @@ void surface_drop_arrays(struct surface_record *record)
     }
     surface_drop_scans(record);
     spectrum_free(&record->spectrum);
+    spectrum_free(&record->typical);
     spectrum_free(&record->tapered);
     variants_free(&record->variants);
     strips_free(&record->strips);
@@ -135,7 +137,6 @@ void surface_record_free(struct surface_record *record)
     free(summary->direct);
     free(summary->answers);
     free(summary->limits);
-    free(summary->unloading);
     *summary = (struct surface_summary){0};
 }
 

@@ -3,7 +3,7 @@
 #ifndef MEMBERS_SURFACE_H
 #define MEMBERS_SURFACE_H
 
-#include "contact/unloading.h"
+#include "contact/strip.h"
 #include "joint/joint.h"
 #include "members/curve_summary.h"
 #include "members/note.h"
@@ -25,15 +25,7 @@ struct direct_plan; /* plan/direct_plan.h */
 
 /** Where a run's time goes, by stage [s]. */
 struct surface_times {
-    double read, prepare, spectrum, convergence, uncertainty, strips, tiles, unloading;
-};
-
-/** The curve of falling load. */
-struct surface_unloading {
-    double largest_load; /* P/(A_n E') */
-    size_t model;        /* the leading one, whose curve of rising load it leaves there */
-    struct unloading ratio;
-    struct contact_point points[UNLOADING_SHARES]; /* at its shares of the largest load: ratio.count, rising */
+    double read, prepare, spectrum, convergence, uncertainty, strips, tiles;
 };
 
 /** Whose hardness the models have. */
@@ -74,6 +66,9 @@ struct surface_summary {
     struct roughness roughness;
     struct asperities asperities;
     bool has_asperities; /* a statistical model exists */
+    double between_m2;   /* what Sq² of maps has over their rows' mean square height; 0: profiles */
+    struct cmy rough;    /* what handbooks ask: Rq (of maps Sq), and the surface's mean slope, of a lay as across it and
+                            along it together */
     struct power_law power_law;
     struct power_law line;        /* the thesis's, through all harmonics of fit_band, whatever `fit` */
     double independent;           /* scans averaged; rows of a map count less */
@@ -96,8 +91,7 @@ struct surface_summary {
     double lay;                 /* rms slope along over across it: surface_kappa() */
     double perfect_lay[2]; /* where none is known: area and ECR of the leading model at the operating load if the scans
                               ran across a perfect one, over those as they are; NaN: no answer; 0: not asked */
-    struct direct_plan *direct;          /* how its contact is solved directly; owned, NULL: it is not called for */
-    struct surface_unloading *unloading; /* the same; NULL: not called for, or it has none */
+    struct direct_plan *direct; /* how its contact is solved directly; owned, NULL: it is not called for */
     struct surface_times times;
 };
 
@@ -105,6 +99,7 @@ struct surface_summary {
 struct surface_record {
     struct surface_summary summary;
     struct spectrum spectrum;    /* its length over surface_kappa(), as those of the ensemble and the strips are */
+    struct spectrum typical;     /* geometric means of the scans' amplitudes: what the thesis's line goes through */
     struct spectrum tapered;     /* rms amplitudes the law is fitted to; count 0: fit: thesis */
     struct power_law_band *band; /* the same law with its bins, knees and lines; NULL: fit: thesis, or dropped */
     struct ensemble ensemble;    /* scans to be run alone, until they have been; count 0: there is one */

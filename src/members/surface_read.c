@@ -10,11 +10,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-/** Does a model that may run use strips, or unloading? */
+/** Does a model that may run use strips? */
 static bool wants_strips(const struct scene *scene)
 {
-    return (scene->effects & EFFECT_BIT(EFFECT_UNLOADING)) ||
-           (scene->models & model_flagged(offsetof(struct model_row, uses_strip)));
+    return scene->models & model_flagged(offsetof(struct model_row, uses_strip));
 }
 
 /** Repeats, for a surface, what was noted about the scans of its counterface. */
@@ -33,6 +32,7 @@ enum status_code surface_read_counterface(struct surface_record *record, struct 
     struct roughness *own = &record->summary.roughness;
     double own_rq_m = own->rq_m;
     roughness_add(own, &counterface->summary.roughness);
+    record->summary.between_m2 += counterface->summary.between_m2;
     note_add(&record->summary.notes, NULL, "note.pressed\nown %.4g\nother %.4g\nboth %.4g", own_rq_m * 1e6,
              counterface->summary.roughness.rq_m * 1e6, own->rq_m * 1e6);
     note_counterface(&record->summary, &counterface->summary);
@@ -45,6 +45,8 @@ enum status_code surface_read_counterface(struct surface_record *record, struct 
             return status->code;
     if (scans->scan_count > 0 && counterface->tapered.count > 0 &&
         grid_add(&scans->mean, &counterface->tapered, status) != STATUS_OK)
+        return status->code;
+    if (grid_add(&record->typical, &counterface->typical, status) != STATUS_OK)
         return status->code;
     return grid_add(&record->spectrum, &counterface->spectrum, status);
 }
@@ -112,6 +114,8 @@ static void note_description(struct surface_summary *summary, const struct scene
         note_add(notes, NULL, law->harmonics < 3 ? "note.few_harmonics" : "note.no_alpha");
     else if (law->found == POWER_LAW_BAND_NONE)
         note_add(notes, NULL, "note.no_law");
+    else if (law->found == POWER_LAW_BAND_SCATTERED)
+        note_add(notes, NULL, "note.scattered\nrms %.2g", law->misfit_decades);
     else if (law->found == POWER_LAW_BAND_NARROW)
         note_add(notes, NULL, "note.narrow\nfrom %.3g\nto %.3g", law->band_m[0] * 1e6, law->band_m[1] * 1e6);
     if (isfinite(law->knee_m))
@@ -150,7 +154,7 @@ static enum status_code fit_alone(struct surface_record *record, const struct po
     for (size_t i = 0; i < count && rc == STATUS_OK; i++) {
         struct power_law_band alone;
         rc = power_law_scans_fit_alone(&alone, scans, i, &def, record->band, status);
-        struct power_law law = power_law_of_band(&alone);
+        struct power_law law = power_law_of_band(&alone, &record->typical);
         gamma[i] = law.gamma;
         psd_m3[i] = law.psd_m3;
     }
@@ -180,7 +184,7 @@ static enum status_code describe(struct surface_record *record, struct power_law
     summary->independent = fmax(1, scans->independent);
     size_t known = spectrum_known(&record->spectrum, fmax(2 * def.lambda_s_m, scene->fit_band_m[0]), scans->step_m);
     summary->tail = convergence_tail(&record->spectrum, known);
-    summary->line = power_law_fit(&record->spectrum, scene->fit_band_m);
+    summary->line = power_law_fit(&record->typical, scene->fit_band_m);
     if (scene->fit == POWER_LAW_THESIS) {
         *law = summary->line;
     } else {
@@ -188,7 +192,7 @@ static enum status_code describe(struct surface_record *record, struct power_law
             return status_memory(status);
         if (power_law_scans_fit(record->band, scans, &def, status) != STATUS_OK)
             return status->code;
-        *law = power_law_of_band(record->band);
+        *law = power_law_of_band(record->band, &record->typical);
         lines = power_law_band_lines(line_m, record->band);
         record->tapered = scans->mean;
         scans->mean = (struct spectrum){0};
@@ -263,7 +267,7 @@ static void stretch(struct surface_record *record, double kappa)
 static double cost_of_strips(const struct surface_record *record)
 {
     const struct strip_rows *rows = &record->strips.rows,
-                            one = {NULL, 1, rows->points, rows->spacing_m, rows->periodic};
+                            one = {NULL, 1, rows->points, rows->spacing_m, rows->periodic, NULL};
     const double quarters = 0.35; /* two strips at nine loads, of three at seventeen */
     double alone = record->ensemble.count > 1 ? (double)rows->rows * (double)strip_cost(&one) : 0;
     return (double)strip_cost(rows) * (alone > 0 ? 1 : 1 + quarters) + alone;
@@ -302,10 +306,14 @@ static enum status_code conclude(struct surface_record *record, struct power_law
     record->ensemble.sigma_m = sqrt(record->summary.roughness.m0_m2);
     if (repeats_compare(&record->summary.repeats, &record->ensemble, &record->spectrum, status) != STATUS_OK)
         return status->code;
-    bool found = scene->fit == POWER_LAW_AUTO && record->band->law != POWER_LAW_BAND_NONE;
+    bool found = scene->fit == POWER_LAW_AUTO && record->band->law >= POWER_LAW_BAND_NARROW;
     if (found && !counterface && fit_alone(record, scans, scene, status) != STATUS_OK)
         return status->code;
-    stretch(record, surface_kappa(&record->summary));
+    const struct roughness *roughness = &record->summary.roughness;
+    double kappa = surface_kappa(&record->summary);
+    record->summary.rough = (struct cmy){sqrt(roughness->rq_m * roughness->rq_m + record->summary.between_m2),
+                                         kappa * cmy_slope(roughness->m2)};
+    stretch(record, kappa);
     return STATUS_OK;
 }
 
@@ -341,8 +349,7 @@ static void find_hardness(struct surface_record *record, const struct scene *sce
 {
     struct material_pair *pair = &record->summary.pair;
     const double c1 = pair->vickers_Pa, c2 = pair->vickers_exponent;
-    const struct cmy surface = {sqrt(spectrum_moment(&record->spectrum, 0)),
-                                cmy_slope(spectrum_moment(&record->spectrum, 1))};
+    const struct cmy surface = record->summary.rough;
     double load = scene_load_of(&scene->operating, scene, pair), own_Pa = NAN;
     if (!pair->unknown)
         find_plating_hardness(&record->summary, &surface, load, scene);

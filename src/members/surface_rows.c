@@ -2,10 +2,12 @@
 #include "members/surface_read.h"
 
 #include "base/clock.h"
+#include "spectrum/areal.h"
 #include <math.h>
 #include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 static void note_scan(struct surface_summary *summary, const struct scan *scan, const struct profile *profile,
                       const char *file)
@@ -88,7 +90,8 @@ static enum status_code take_spectrum(struct spectrum *spectrum, struct roughnes
     return STATUS_OK;
 }
 
-/** Averages a profile's spectrum and moments into the surface's, as powers; the first one tells the rest. */
+/** Averages a profile's spectrum and moments into the surface's, as powers; for the thesis's line as logarithms too, so
+ * that it does not depend on how many scans there are. The first one tells the rest. */
 static enum status_code average(struct surface_record *record, const struct profile *profile,
                                 const struct spectrum *spectrum, const struct roughness *roughness,
                                 struct status *status)
@@ -97,23 +100,43 @@ static enum status_code average(struct surface_record *record, const struct prof
     summary->periodic += profile->periodic;
     if (summary->scans++ > 0) {
         roughness_average(&summary->roughness, roughness, summary->scans - 1);
-        return grid_average(&record->spectrum, spectrum, summary->scans - 1, status);
+        if (grid_average(&record->spectrum, spectrum, summary->scans - 1, status) != STATUS_OK)
+            return status->code;
+        return grid_average_logs(&record->typical, spectrum, summary->scans - 1, status);
     }
     summary->roughness = *roughness;
     summary->points = profile->points;
     summary->spacing_m = profile->spacing_m;
-    return spectrum_copy(&record->spectrum, spectrum, status) == STATUS_OK ? keep_preview(record, profile, status)
-                                                                           : status->code;
+    if (spectrum_copy(&record->spectrum, spectrum, status) != STATUS_OK ||
+        spectrum_copy(&record->typical, spectrum, status) != STATUS_OK)
+        return status->code;
+    return keep_preview(record, profile, status);
+}
+
+/** A seed that the first heights of a row make as they were measured (FNV-1a): neither its name nor how it is made
+ * ready changes it. */
+static uint64_t seed_of(const struct scan *scan, size_t row)
+{
+    enum { HEIGHTS = 64 };
+    uint64_t hash = UINT64_C(0xcbf29ce484222325), bits;
+    for (size_t i = 0; i < scan->nx && i < HEIGHTS; i++) {
+        memcpy(&bits, &scan->z_m[row * scan->nx + i], sizeof bits);
+        for (int byte = 0; byte < 8; byte++)
+            hash = (hash ^ (bits >> 8 * byte & 0xff)) * UINT64_C(0x100000001b3);
+    }
+    return hash;
 }
 
 /** Adds one profile, a row of a scan, to the surface: to its mean and the spectra the law is fitted to, to the
  * variants that answers are sensitive to, and as a member of its own. `had`: what its heights have been through. */
 static enum status_code add_profile(const struct surface_scans *task, const struct profile_options *had,
-                                    const struct scan *scan, size_t row, struct profile *profile, struct status *status)
+                                    const struct scan *scan, size_t row, uint64_t seed, struct profile *profile,
+                                    struct status *status)
 {
     struct surface_record *record = task->record;
     const struct scene *scene = task->scene;
-    struct member own = {.points = profile->points, .spacing_m = profile->spacing_m, .periodic = profile->periodic};
+    struct member own = {
+        .points = profile->points, .spacing_m = profile->spacing_m, .periodic = profile->periodic, .seed = seed};
     double started = clock_seconds();
     enum status_code rc = take_spectrum(&own.spectrum, &own.roughness, profile, scene, status);
     if (rc == STATUS_OK)
@@ -181,6 +204,22 @@ static void measure_lay(struct surface_summary *summary, const struct scan *scan
                         "map");
 }
 
+/** Mean square height of a map over its plane, Sq²; NaN where rows have more than a line taken out of them, or waves.
+ */
+static enum status_code measure_sq(double *out, const struct scan *scan, const struct scene *scene,
+                                   struct status *status)
+{
+    double *flat_m = reallocarray(NULL, scan->nx * scan->ny, sizeof *flat_m);
+    struct status none = {0};
+    *out = NAN;
+    if (!flat_m)
+        return status_memory(status);
+    if (scene->level == LEVEL_LINE && !(scene->lambda_c_m > 0) && areal_flatten(flat_m, scan, &none) == STATUS_OK)
+        *out = roughness_of_heights_alone(flat_m, scan->nx * scan->ny).m0_m2;
+    free(flat_m);
+    return STATUS_OK;
+}
+
 /** Makes the profile of a row. */
 static enum status_code take_row(struct profile *out, struct scan *scan, size_t row, const struct profile_options *how,
                                  struct status *status)
@@ -217,6 +256,15 @@ static enum status_code keep_map(const struct surface_scans *task, const struct 
     return keeps_direct(record, task->scene) ? keep_direct(record, scan, NULL, status) : STATUS_OK;
 }
 
+/** Takes what Sq² of the last file has over the mean square height of its rows (NaN: nothing) into the mean of all. */
+static void add_between(struct surface_summary *summary, size_t scans_before, double rq_before_m, double sq_m2)
+{
+    double before = (double)scans_before, all = (double)summary->scans, rq_m = summary->roughness.rq_m;
+    double rows_m2 = (all * rq_m * rq_m - before * rq_before_m * rq_before_m) / (all - before);
+    double excess_m2 = isnan(sq_m2) ? 0 : fmax(0, sq_m2 - rows_m2);
+    summary->between_m2 += (excess_m2 - summary->between_m2) * (all - before) / all;
+}
+
 enum status_code surface_rows_add(const struct surface_scans *task, struct scan *scan, const char *scene_file,
                                   struct status *status)
 {
@@ -234,6 +282,9 @@ enum status_code surface_rows_add(const struct surface_scans *task, struct scan 
     struct direct_map_def map = {0};
     size_t unusable = 0, run_before = set->count;
     bool areal = scan->kind == SCAN_AREAL, first_file = summary->scans == 0;
+    const size_t scans_before = summary->scans;
+    const double rq_before_m = summary->roughness.rq_m;
+    double sq_m2 = NAN;
     struct status first = {0};
     if ((areal && condition_map(&map, scan, status) != STATUS_OK) ||
         repeats_add_scan(set, scene_file, status) != STATUS_OK)
@@ -244,11 +295,12 @@ enum status_code surface_rows_add(const struct surface_scans *task, struct scan 
     for (size_t row = 0; row < scan->ny; row++) {
         struct profile profile;
         struct status problem = {0};
+        const uint64_t seed = seed_of(scan, row);
         double started = clock_seconds();
         enum status_code rc = take_row(&profile, scan, row, &how, &problem);
         summary->times.prepare += clock_seconds() - started;
         if (rc == STATUS_OK)
-            rc = add_profile(task, &had, scan, row, &profile, &problem);
+            rc = add_profile(task, &had, scan, row, seed, &profile, &problem);
         if (rc == STATUS_OK && row == unusable) /* the first usable one speaks for all */
             note_scan(summary, scan, &profile, file);
         profile_free(&profile);
@@ -262,6 +314,9 @@ enum status_code surface_rows_add(const struct surface_scans *task, struct scan 
         return status_fail(status, first.code, "%s: %s", file, first.message);
     }
     summary->cutoff_m = cutoff_m;
+    if (areal && measure_sq(&sq_m2, scan, scene, status) != STATUS_OK)
+        return status->code;
+    add_between(summary, scans_before, rq_before_m, sq_m2);
     if (areal && first_file && keep_map(task, scan, &map, status) != STATUS_OK)
         return status->code;
     if (areal)

@@ -97,11 +97,10 @@ static json_t *scene_json(const struct results *results)
     json_object_set_new(json, "counterface", counterface_json(bodies));
     json_set_all(json, "loads_over_AnEp", results->loads, results->loads_apart ? 0 : results->load_count);
     if (scene->load.unit_text[0])
-        json_object_set_new(json, "load_unit", json_shown(scene->load.unit_text));
+        json_object_set_new(json, scene->load.kind == UNIT_NUMBER ? "operating_load_unit" : "load_unit",
+                            json_shown(scene->load.unit_text));
     if (results->usable_count > 0)
         json_set(json, "operating_load_over_AnEp", results_operating_load(results, results->baseline));
-    if (plan_runs(results->plan, EFFECT_UNLOADING))
-        json_set(json, "unload_from_over_AnEp", scene_load_of(&scene->unload_from, scene, &pair));
     if (scene->called & results->plan->running)
         json_object_set_new(json, "joint", joint_json(results));
     json_set_all(json, "shape_size_m", scene->joint.size_m,
@@ -408,33 +407,6 @@ static json_t *comparison_json(const struct results *results, const struct compa
                      pairs);
 }
 
-/** How every surface stands to every limit, by the leading model. */
-static json_t *limits_json(const struct results *results)
-{
-    static const char *const verdicts[] = {[LIMIT_NO_VALUE] = "no value",
-                                           [LIMIT_MET] = "meets",
-                                           [LIMIT_MISSED] = "misses",
-                                           [LIMIT_CANNOT_TELL] = "cannot tell"};
-    json_t *limits = json_array();
-    for (size_t i = 0; i < results->surface_count; i++)
-        for (size_t l = 0; l < results->scene->limit_count && results->surfaces[i].summary.usable; l++) {
-            const struct surface_summary *s = &results->surfaces[i].summary;
-            const struct scene_asked *limit = &results->scene->limits[l];
-            const struct limit_check *check = &s->limits[l];
-            struct text asked = {0};
-            text_add(&asked, "%s %s %s", limit->how->key, limit->is_most ? "most" : "least", limit->text);
-            json_t *json =
-                json_pack("{s:o, s:s, s:o, s:s, s:s}", "surface", json_shown(s->scene->name), "model",
-                          model_rows[plan_leading_model(results->plan)]->name, "limit", json_shown(text_string(&asked)),
-                          "verdict", verdicts[check->verdict], "quantity", quantity_rows[limit->quantity].name);
-            json_set(json, "value", check->value);
-            json_set_all(json, "interval_95", (const double[]){check->low, check->high}, 2);
-            json_array_append_new(limits, json);
-            text_free(&asked);
-        }
-    return limits;
-}
-
 static json_t *refused_json(const struct results *results)
 {
     json_t *refused = json_array();
@@ -449,15 +421,19 @@ static json_t *refused_json(const struct results *results)
 
 json_t *json_outline(const struct results *results)
 {
-    json_t *limits = limits_json(results), *missed = json_array(), *limit;
+    json_t *limits = tables_limits_json(results), *missed = json_array(), *undecided = json_array(), *limit;
     size_t index;
     json_array_foreach(limits, index, limit)
     {
-        if (strcmp(json_string_value(json_object_get(limit, "verdict")), "misses") == 0)
+        const char *verdict = json_string_value(json_object_get(limit, "verdict"));
+        if (strcmp(verdict, limit_verdict_words[LIMIT_MISSED]) == 0)
             json_array_append(missed, limit);
+        else if (strcmp(verdict, limit_verdict_words[LIMIT_MET]) != 0)
+            json_array_append(undecided, limit);
     }
-    return json_pack("{s:o, s:o, s:o, s:o}", "refused", refused_json(results), "answers", tables_answers_json(results),
-                     "limits", limits, "missed_limits", missed);
+    return json_pack("{s:o, s:o, s:o, s:o, s:o}", "refused", refused_json(results), "answers",
+                     tables_answers_json(results), "limits", limits, "missed_limits", missed, "undecided_limits",
+                     undecided);
 }
 
 static int keep(const char *bytes, size_t length, void *text)
@@ -547,7 +523,7 @@ enum status_code json_write(const struct results *results, const struct comparis
               print(file, ",\n\"comparison\": ", comparison_json(results, &comparison->ranking)) &&
               (!scene->passed_over || print(file, ",\n\"passed_over\": ", json_lines(scene->passed_over))) &&
               (scene->target_count == 0 || print(file, ",\n\"answers\": ", tables_answers_json(results))) &&
-              (scene->limit_count == 0 || print(file, ",\n\"limits\": ", limits_json(results))) &&
+              (scene->limit_count == 0 || print(file, ",\n\"limits\": ", tables_limits_json(results))) &&
               (results->direct_count == 0 || print(file, ",\n\"direct\": ", studies_json(results))) &&
               print(file, ",\n\"work\": ", work_json(results)) && fputs("}\n", file) >= 0;
     if ((fclose(file) != 0 || !ok) && status->code == STATUS_OK)

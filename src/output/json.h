@@ -10,8 +10,8 @@
 MUST_CHECK enum status_code json_write(const struct results *results, const struct comparison *comparison,
                                        const char *directory, struct status *status);
 
-/** In short, for a script, as in results.json: `refused`, `answers`, `limits`, and the `missed_limits` among them. To
- * be released with json_decref(); NULL: out of memory. */
+/** In short, for a script, as in results.json: `refused`, `answers`, `limits`, and the `missed_limits` and
+ * `undecided_limits` (or without a value) among them. To be released with json_decref(); NULL: out of memory. */
 json_t *json_outline(const struct results *results);
 
 #endif

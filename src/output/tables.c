@@ -21,6 +21,8 @@ const struct record_field surface_fields[] = {
     SURFACE(NUMBER, "m0_m2", roughness.m0_m2, ALWAYS),
     SURFACE(NUMBER, "m2", roughness.m2, ALWAYS),
     SURFACE(NUMBER, "m4_per_m2", roughness.m4_per_m2, ALWAYS),
+    SURFACE(NUMBER, "sigma_m", rough.sigma_m, JSON),
+    SURFACE(NUMBER, "mean_slope", rough.slope, JSON),
     SURFACE(NUMBER, "nayak", asperities.nayak, ALWAYS),
     SURFACE(NUMBER, "asperity_density_per_m2", asperities.density_per_m2, JSON | RECORD_ASPERITIES),
     SURFACE(NUMBER, "asperity_radius_m", asperities.radius_m, JSON | RECORD_ASPERITIES),
@@ -448,6 +450,17 @@ static void fill_sensitivity(struct table *table, const struct results *results,
         }
 }
 
+/** A row, or an object. */
+static void put_record(struct table *table, const struct record_field *fields, const void *row)
+{
+    if (table->objects) {
+        json_array_append_new(table->objects, record_json(fields, row));
+        return;
+    }
+    put_fields(table, fields, row, 0);
+    end_row(table);
+}
+
 struct answer_row {
     const char *surface, *model, *target, *note, *quantity, *spots_by;
     double load_N, load, interval[2], value, spots;
@@ -494,12 +507,7 @@ static void put_answer(struct table *table, const struct results *results, const
         .spots = answer->spots_per_m2 * area_m2,
         .spots_by = isnan(answer->spots_per_m2) ? NULL : model_rows[answer->counted_by]->name,
     };
-    if (table->objects)
-        json_array_append_new(table->objects, record_json(answer_fields, &row));
-    else {
-        put_fields(table, answer_fields, &row, 0);
-        end_row(table);
-    }
+    put_record(table, answer_fields, &row);
     text_free(&asked);
     text_free(&note);
 }
@@ -512,25 +520,40 @@ static void fill_answers(struct table *table, const struct results *results, siz
             put_answer(table, results, s, m, t);
 }
 
-static void fill_unloading(struct table *table, const struct results *results, size_t index)
+struct limit_row {
+    const char *surface, *model, *limit, *verdict, *quantity;
+    double least, most, value, interval[2];
+};
+
+#define LIMIT(...) RECORD_FIELD(struct limit_row, __VA_ARGS__)
+const struct record_field limit_fields[] = {
+    LIMIT(TEXT, "surface", surface, ALWAYS), LIMIT(TEXT, "model", model, JSON),
+    LIMIT(TEXT, "limit", limit, JSON),       LIMIT(TEXT, "quantity", quantity, ALWAYS),
+    LIMIT(NUMBER, "least", least, CSV),      LIMIT(NUMBER, "most", most, CSV),
+    LIMIT(NUMBER, "value", value, ALWAYS),   LIMIT(NUMBER, "low", interval[0], CSV),
+    LIMIT(NUMBER, "high", interval[1], CSV), LIMIT(PAIR, "interval_95", interval, JSON),
+    LIMIT(TEXT, "verdict", verdict, ALWAYS), {0}};
+
+/** How a surface stands to every limit, by the leading model. */
+static void fill_limits(struct table *table, const struct results *results, size_t index)
 {
-    const struct surface_summary *summary = &results->surfaces[index].summary;
-    const struct surface_unloading *unloading = summary->unloading;
-    for (size_t i = 0; unloading && i < unloading->ratio.count; i++) {
-        const struct contact_point *point = &unloading->points[i];
-        double load = point->value[QUANTITY_LOAD];
-        put_text(table, "surface", summary->scene->name);
-        put_word(table, "model", model_rows[unloading->model]->name);
-        put_number(table, "load_over_AnEp", load);
-        put_number(table, "largest_load_over_AnEp", unloading->largest_load);
-        for (int q = 0; q < QUANTITY_COUNT; q++)
-            if ((quantity_rows[q].is & QUANTITY_BANDED) && !quantity_rows[q].from &&
-                (plan_quantities(results->plan) & QUANTITY_BIT(q))) {
-                put_number(table, quantity_rows[q].name, point->value[q]);
-                put(table, quantity_rows[q].name, "_over_loading",
-                    unloading_factor(&unloading->ratio, (enum quantity)q, load / unloading->largest_load));
-            }
-        end_row(table);
+    const struct surface_summary *s = &results->surfaces[index].summary;
+    for (size_t l = 0; l < results->scene->limit_count && s->usable; l++) {
+        const struct scene_asked *limit = &results->scene->limits[l];
+        const struct limit_check *check = &s->limits[l];
+        struct text asked = {0};
+        text_add(&asked, "%s %s %s", limit->how->key, limit->is_most ? "most" : "least", limit->text);
+        const struct limit_row row = {.surface = s->scene->name,
+                                      .model = model_rows[plan_leading_model(results->plan)]->name,
+                                      .limit = text_string(&asked),
+                                      .verdict = limit_verdict_words[check->verdict],
+                                      .quantity = quantity_rows[limit->quantity].name,
+                                      .least = limit->is_upper ? NAN : limit->value,
+                                      .most = limit->is_upper ? limit->value : NAN,
+                                      .value = check->value,
+                                      .interval = {check->low, check->high}};
+        put_record(table, limit_fields, &row);
+        text_free(&asked);
     }
 }
 
@@ -582,17 +605,28 @@ static void fill_direct_ratio(struct table *table, const struct results *results
         }
 }
 
-json_t *tables_answers_json(const struct results *results)
+/** All rows that `fill` makes of the surfaces, as objects. */
+static json_t *objects_of(const struct results *results,
+                          void (*fill)(struct table *table, const struct results *results, size_t index))
 {
     struct table table = {.objects = json_array()};
     for (size_t i = 0; i < results->surface_count; i++)
-        fill_answers(&table, results, i);
+        fill(&table, results, i);
     return table.objects;
+}
+
+json_t *tables_answers_json(const struct results *results)
+{
+    return objects_of(results, fill_answers);
+}
+
+json_t *tables_limits_json(const struct results *results)
+{
+    return objects_of(results, fill_limits);
 }
 
 enum status_code tables_write(const struct results *results, const char *directory, struct status *status)
 {
-    const struct plan *plan = results->plan;
     const size_t surfaces = results->surface_count, studies = results->direct_count;
     const struct {
         const char *name;
@@ -602,7 +636,7 @@ enum status_code tables_write(const struct results *results, const char *directo
         {"surfaces.csv", surfaces, fill_surface},
         {"sensitivity.csv", surfaces, fill_sensitivity},
         {"answers.csv", surfaces, fill_answers},
-        {"unloading.csv", plan_runs(plan, EFFECT_UNLOADING) ? surfaces : 0, fill_unloading},
+        {"limits.csv", surfaces, fill_limits},
         {"convergence.csv", results->convergence ? CONVERGENCE_SWEEP_COUNT : 0, fill_convergence},
         {"direct.csv", studies * DIRECT_STUDY_KINDS, fill_direct},
         {"direct_ratio.csv", studies, fill_direct_ratio},

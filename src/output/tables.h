@@ -26,11 +26,12 @@ MUST_CHECK enum status_code curve_tables_close(struct curve_tables *tables, stru
  */
 MUST_CHECK enum status_code tables_write(const struct results *results, const char *directory, struct status *status);
 
-/** The answers to the scene's targets, as objects. */
+/** The answers to the scene's targets, and how every surface stands to every limit, as objects. */
 json_t *tables_answers_json(const struct results *results);
+json_t *tables_limits_json(const struct results *results);
 
 /** What is said of a surface, of its repeated scans and of an answer, in data/ and in results.json. */
-extern const struct record_field surface_fields[], repeats_fields[], answer_fields[];
+extern const struct record_field surface_fields[], repeats_fields[], answer_fields[], limit_fields[];
 /** Number `which` of a curve that may be known by an interval (curve_summary_estimate()); NULL: it never is. */
 const char *tables_estimate_key(int which);
 

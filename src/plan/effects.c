@@ -95,19 +95,16 @@ static void decide_scale_dependence(struct plan *plan, const struct surface_reco
                           most > tolerance ? "" : "little"));
 }
 
-/** Runs where some spectrum can be carried on below what is known, or the scene says what to sweep. */
-static void decide_convergence(struct plan *plan, const struct scene *scene, const struct surface_record *surfaces,
-                               size_t count)
+/** Says how many spectra can be carried on below what is known. */
+static void decide_convergence(struct plan *plan, const struct surface_record *surfaces, size_t count)
 {
     size_t usable = 0, carried_on = 0;
     for (size_t i = 0; i < count; i++) {
         usable += surfaces[i].summary.usable;
         carried_on += surfaces[i].summary.usable && !isnan(surfaces[i].summary.tail.gamma);
     }
-    const bool runs = carried_on > 0 || scene->convergence.given;
-    plan_decide(plan, EFFECT_CONVERGENCE, runs,
-                words_say(plan->words, "%s\ncarried_on %zu\nsurfaces %zu",
-                          runs ? "effect.sweeps" : "effect.no_spectrum", carried_on, usable));
+    plan_decide(plan, EFFECT_CONVERGENCE, true,
+                words_say(plan->words, "effect.sweeps\ncarried_on %zu\nsurfaces %zu", carried_on, usable));
 }
 
 /** Runs where a surface has one scan. */
@@ -181,7 +178,7 @@ void effects_decide(struct plan *plan, const struct scene *scene, const struct s
     if (open & EFFECT_BIT(EFFECT_SCALE_DEPENDENT))
         decide_scale_dependence(plan, surfaces, count, scene->tolerance);
     if (open & EFFECT_BIT(EFFECT_CONVERGENCE))
-        decide_convergence(plan, scene, surfaces, count);
+        decide_convergence(plan, surfaces, count);
     if (open & EFFECT_BIT(EFFECT_UNCERTAINTY))
         decide_uncertainty(plan, surfaces, count);
 }

@@ -29,7 +29,8 @@ MUST_CHECK enum status_code report_terminal(struct text *out, const char *name, 
 enum { REPORTS_COMPARED = 20 /* side by side at most; more are ranked alone */ };
 
 /** Finished reports, by their directories, side by side: what templates/compare.txt is filled from, new
- * (docs/templates.md). Numbers are those of the first one's leading model at its operating load; a surface is held
+ * (docs/templates.md). Numbers are those of the first one's leading model at its operating load, of each with or
+ * without hardness as it leads there; a surface is held
  * against that of its name in the first report that has it. Errors: STATUS_IO where a results.json cannot be read, is
  * damaged, another program's or larger than LIMIT_RESULTS_BYTES, or all together more than LIMIT_RESULTS_VALUES;
  * STATUS_SCAN where no number stands in two reports, or more differs than LIMIT_COMPARED; STATUS_MEMORY. */

@@ -5,6 +5,7 @@
 #include "output/json.h"
 #include "report/report.h"
 #include "report/view.h"
+#include "results/asked.h"
 #include "scene/scene_words.h"
 
 #include <math.h>
@@ -22,12 +23,16 @@ struct compared {
     size_t values;                  /* that those kept may have, by LIMIT_RESULTS_VALUES */
     size_t items;                   /* of the view, by LIMIT_COMPARED */
     const char *leading;            /* the first one's model */
+    double area_m2;                 /* nominal, of all; NaN: not known, or not the same */
     double tie;                     /* relative difference that is none */
+    json_t *without;                /* the first surfaces that have no number to be ranked by */
+    size_t without_count;           /* of all such */
+    json_t *models;                 /* by which the reports are compared, once each */
     bool beside;                    /* few enough to stand side by side */
     bool any, differ, loads_differ; /* any: a number is in two reports; differ: anything */
 };
 
-enum { TEXT_MOST = 60, STRING_MOST = 1000, PATH_MOST = 400, MADE = 5 };
+enum { TEXT_MOST = 60, STRING_MOST = 1000, PATH_MOST = 400, MADE = 5, NAMED_MOST = 10 };
 
 static double real(const json_t *value)
 {
@@ -43,6 +48,31 @@ static const char *string(const json_t *object, const char *key)
 static json_t *get(const json_t *object, const char *key, const char *below)
 {
     return json_object_get(json_object_get(object, key), below);
+}
+
+/** NULL: no model is called so. */
+static const struct model_row *model_row_of(const char *name)
+{
+    size_t m = 0;
+    while (m < model_count && strcmp(model_rows[m]->name, name) != 0)
+        m++;
+    return m < model_count ? model_rows[m] : NULL;
+}
+
+static const char *label_of(const char *name)
+{
+    const struct model_row *row = model_row_of(name);
+    return row ? row->label : name;
+}
+
+/** The model whose numbers a report is compared by: its own leading one where that is the first report's but for the
+ * hardness, else the first's. */
+static const char *model_of(const struct compared *all, size_t k)
+{
+    const char *own = string(all->results[k], "leading");
+    const struct model_row *row = model_row_of(own), *first = model_row_of(all->leading);
+    bool same = row && first && (row->elastic ? row->elastic : row) == (first->elastic ? first->elastic : first);
+    return same ? own : all->leading;
 }
 
 /** A number of a surface in a report. */
@@ -77,7 +107,7 @@ static double on_curve(const json_t *values, size_t before, double share)
 static struct side side_of(const struct compared *all, size_t k, const char *name, enum quantity quantity,
                            const struct side *reference)
 {
-    const json_t *surface = json_object_get(all->surfaces[k], name), *model = get(surface, "models", all->leading);
+    const json_t *surface = json_object_get(all->surfaces[k], name), *model = get(surface, "models", model_of(all, k));
     const json_t *operating = json_object_get(model, "operating");
     double own_Pa = real(json_object_get(surface, "effective_modulus_Pa"));
     double all_Pa = real(get(all->results[k], "scene", "effective_modulus_Pa"));
@@ -129,8 +159,14 @@ static enum status_code take_ranked(struct compared *all, size_t k, const char *
             all->criterion = begun ? all->criterion : criteria[c];
             side = side_of(all, k, name, all->criterion, begun ? &all->ranked[0].side : NULL);
         }
-        if (!(side.value > 0) || !isfinite(side.value))
+        if (!(side.value > 0) || !isfinite(side.value)) {
+            if (all->without_count++ < NAMED_MOST) {
+                json_t *line = view_item(all->without);
+                view_count(line, "report", all->reports);
+                view_text(line, "surface", name);
+            }
             continue;
+        }
         if (all->ranked_count == limit_most(LIMIT_RANKED))
             return status_fail(status, STATUS_SCAN, "too many surfaces%s", limit_words(LIMIT_RANKED).text);
         struct ranked *more = realloc(all->ranked, (all->ranked_count + 1) * sizeof *more);
@@ -157,23 +193,55 @@ static int best_first(const void *a, const void *b)
     return by_cost ? by_cost : first->order > second->order ? 1 : -1;
 }
 
+/** What the reports' numbers of a quantity are shown in: those of the whole contact where the nominal area is one. */
+static double shown_in(char unit[UNIT_LENGTH + 20], const struct compared *all, enum quantity quantity, double value)
+{
+    const struct quantity_row *row = &quantity_rows[quantity];
+    char whole[UNIT_LENGTH];
+    if (!row->asked[0].total || !(all->area_m2 > 0)) {
+        snprintf(unit, UNIT_LENGTH, "%s", row->handy.unit);
+        return row->handy.scale;
+    }
+    asked_unit(whole, sizeof whole, unit_si(row->asked[0].total));
+    return 1 / all->area_m2 / asked_prefix(unit, UNIT_LENGTH + 20, whole, value / all->area_m2);
+}
+
+/** A load as the first report's scene has it. */
+static void put_load(json_t *out, const struct compared *all, double pressure_Pa)
+{
+    const json_t *scene = json_object_get(all->results[0], "scene");
+    const char *own = string(scene, "load_unit"), *text = own[0] ? own : string(scene, "operating_load_unit");
+    char shown[UNIT_LENGTH + 20];
+    struct unit unit;
+    enum unit_quantity kind = UNIT_NUMBER;
+    if (strlen(text) < UNIT_LENGTH && unit_read(&unit, text, strlen(text)))
+        kind = (enum unit_quantity)unit_of(&unit, UNIT_LOADS);
+    if (kind == UNIT_PRESSURE || (kind == UNIT_FORCE && all->area_m2 > 0)) {
+        asked_unit(shown, sizeof shown, text);
+        view_number(out, "load", pressure_Pa * (kind == UNIT_FORCE ? all->area_m2 : 1) / unit.factor, 3, shown);
+    } else
+        view_number(out, "load", pressure_Pa * (all->area_m2 > 0 ? all->area_m2 : 1e-6), 3,
+                    all->area_m2 > 0 ? "N" : "MPa");
+}
+
 /** Ranks the surfaces of all reports, by the test that a report has for its own. */
 static enum status_code add_ranking(json_t *view, struct compared *all, struct status *status)
 {
-    const struct quantity_unit unit = quantity_rows[all->criterion].handy;
+    char unit[UNIT_LENGTH + 20];
     const struct estimate **known = malloc((all->ranked_count + 1) * sizeof *known);
     struct comparison_ranking ranking = {.count = 0};
     json_t *out = view_part(view, "ranking");
     if (!known)
         return status_memory(status);
     qsort(all->ranked, all->ranked_count, sizeof *all->ranked, best_first);
+    const double scale = shown_in(unit, all, all->criterion, all->ranked[0].side.value);
     for (size_t i = 0; i < all->ranked_count; i++)
         if (all->ranked[i].side.known.count > 0)
             known[ranking.count++] = &all->ranked[i].side.known;
     enum status_code rc = comparison_test(&ranking, known, status);
     view_text(out, "quantity", quantity_shown_name(all->criterion));
     view_text(out, "symbol", quantity_rows[all->criterion].short_symbol);
-    view_text(out, "unit", unit.unit);
+    view_text(out, "unit", unit);
     view_some(out, "untested", all->ranked_count - ranking.count);
     view_some(out, "too_many", ranking.count > COMPARISON_RANKED_MOST ? COMPARISON_RANKED_MOST : 0);
     for (size_t i = 0, place = 0; i < all->ranked_count && rc == STATUS_OK; i++) {
@@ -183,8 +251,8 @@ static enum status_code add_ranking(json_t *view, struct compared *all, struct s
         bool tested = side->known.count > 0;
         view_count(line, "rank", i + 1);
         json_object_set_new(line, "value", json_finite(side->value));
-        view_number(shown, "value", side->value * unit.scale, 3, "");
-        view_interval(shown, "interval", side->ends[0] * unit.scale, side->ends[1] * unit.scale, 2);
+        view_number(shown, "value", side->value * scale, 3, "");
+        view_interval(shown, "interval", side->ends[0] * scale, side->ends[1] * scale, 2);
         view_number(shown, "ratio", side->value / all->ranked[0].side.value, 3, "");
         if (tested && place > 0) { /* against the best of those tested */
             const struct comparison_pair *pair = comparison_pair_of(&ranking, 0, place);
@@ -206,7 +274,8 @@ static enum status_code add_ranking(json_t *view, struct compared *all, struct s
 /** Adds a number of a surface, a line for each report that has it; nothing where only one has. */
 static void add_number(json_t *view, struct compared *all, const char *name, enum quantity quantity)
 {
-    const struct quantity_unit unit = quantity_rows[quantity].handy;
+    char unit[UNIT_LENGTH + 20] = "";
+    double scale = 1;
     json_t *lines = json_array();
     struct side first;
     for (size_t k = 0; k < all->count; k++) {
@@ -217,23 +286,24 @@ static void add_number(json_t *view, struct compared *all, const char *name, enu
         if (!(side.value > 0) || !isfinite(ratio))
             continue;
         json_t *line = view_item(lines), *shown = view_part(line, "shown");
+        scale = begun ? scale : shown_in(unit, all, quantity, side.value);
         all->items++;
         view_count(line, "report", k + 1);
         json_object_set_new(line, "value", json_finite(side.value));
         json_object_set_new(line, "low_95", json_finite(side.ends[0]));
         json_object_set_new(line, "high_95", json_finite(side.ends[1]));
-        view_number(shown, "value", side.value * unit.scale, 3, "");
-        view_interval(shown, "interval", side.ends[0] * unit.scale, side.ends[1] * unit.scale, 2);
+        view_number(shown, "value", side.value * scale, 3, "");
+        view_interval(shown, "interval", side.ends[0] * scale, side.ends[1] * scale, 2);
         if (!begun)
             continue;
-        bool same = apart == 0 || apart <= all->tie, same_scans = side.scans[0] && strcmp(side.scans, first.scans) == 0;
+        bool same = apart <= all->tie, same_scans = side.scans[0] && strcmp(side.scans, first.scans) == 0;
         struct comparison_pair pair = {.p = NAN};
         if (!same && !same_scans && side.known.count > 0 && first.known.count > 0)
             pair = comparison_of_two(&side.known, &first.known);
         json_object_set_new(line, "ratio", json_finite(ratio));
         if (isfinite(pair.p))
             json_object_set_new(line, "p", json_real(pair.p));
-        view_number(shown, "ratio", ratio, same ? 3 : (int)fmax(3, 1 - floor(log10(apart))), "");
+        view_number(shown, "ratio", same ? 1 : ratio, same ? 3 : (int)fmax(3, 1 - floor(log10(apart))), "");
         view_number(shown, "p", pair.p, 2, "");
         const char *tested = comparison_told_apart(&pair) ? "significant" : "not_significant";
         tested = isnan(pair.p) ? "undecided" : tested;
@@ -245,7 +315,7 @@ static void add_number(json_t *view, struct compared *all, const char *name, enu
     if (json_array_size(lines) > 1)
         json_array_append_new(view_list(view, "numbers"),
                               json_pack("{s:s, s:s, s:s, s:O}", "quantity", quantity_shown_name(quantity), "symbol",
-                                        quantity_rows[quantity].short_symbol, "unit", unit.unit, "lines", lines));
+                                        quantity_rows[quantity].short_symbol, "unit", unit, "lines", lines));
     all->any = all->any || json_array_size(lines) > 1;
     json_decref(lines);
 }
@@ -266,6 +336,7 @@ static void add_input(json_t *view, struct compared *all, json_t *const *of, con
                                            "curves"};
     json_t *values[REPORTS_COMPARED], *ignored;
     struct text whole = {0};
+    char *dumped[REPORTS_COMPARED] = {NULL};
     const char *below;
     bool objects = true, differ = false;
     if (scene_words_find(key, strlen(key), made, MADE) < MADE || all->items > limit_most(LIMIT_COMPARED))
@@ -281,19 +352,22 @@ static void add_input(json_t *view, struct compared *all, json_t *const *of, con
             if (!is_known(values, k, below))
                 add_input(view, all, values, text_string(&whole), below);
         }
-    for (size_t k = 1; k < all->count && !objects; k++)
-        differ = differ || !(values[k] == values[0] || json_equal(values[k], values[0]));
+    for (size_t k = 0; k < all->count && !objects; k++) {
+        dumped[k] = json_dumps(values[k], JSON_ENCODE_ANY | JSON_COMPACT | JSON_REAL_PRECISION(10));
+        differ = differ || strcmp(dumped[k] ? dumped[k] : "", dumped[0] ? dumped[0] : "") != 0;
+    }
     json_t *item = differ ? view_item(view_list(view, "inputs")) : NULL;
     for (size_t k = 0; k < all->count && item; k++) {
         json_t *value = view_item(view_list(item, "values"));
-        char *dumped = json_dumps(values[k], JSON_ENCODE_ANY | JSON_COMPACT | JSON_REAL_PRECISION(10));
         struct text cut = {0};
-        words_cut(&cut, dumped ? dumped : "", dumped ? strlen(dumped) : 0, TEXT_MOST); /* of nothing: nothing */
+        words_cut(&cut, dumped[k] ? dumped[k] : "", dumped[k] ? strlen(dumped[k]) : 0,
+                  TEXT_MOST); /* of nothing: none */
         view_count(value, "report", k + 1);
         view_text(value, "value", text_string(&cut));
         text_free(&cut);
-        free(dumped);
     }
+    for (size_t k = 0; k < all->count; k++)
+        free(dumped[k]);
     if (item) {
         view_text(item, "key", text_string(&whole));
         view_separate(view_list(item, "values"));
@@ -354,6 +428,18 @@ static size_t count_values(const struct text *json)
     return count;
 }
 
+static void add_model(json_t *models, const char *label)
+{
+    json_t *known;
+    size_t i;
+    json_array_foreach(models, i, known)
+    {
+        if (strcmp(string(known, "label"), label) == 0)
+            return;
+    }
+    view_text(view_item(models), "label", label);
+}
+
 static enum status_code add_report(json_t *view, struct compared *all, const char *path, struct status *status)
 {
     struct text name = {0}, bytes = {0};
@@ -387,7 +473,7 @@ static enum status_code add_report(json_t *view, struct compared *all, const cha
         json_object_set(surfaces, string(surface, "surface"), surface);
     }
     double modulus_Pa = real(get(results, "scene", "effective_modulus_Pa"));
-    double load = real(get(results, "scene", "operating_load_over_AnEp"));
+    double load = real(get(results, "scene", "operating_load_over_AnEp")), tolerance, area_m2;
     if (get(results, "scene", "load_unit"))
         give_back_loads(json_object_get(results, "scene"), modulus_Pa);
     all->results[all->count] = results;
@@ -395,20 +481,31 @@ static enum status_code add_report(json_t *view, struct compared *all, const cha
     view_count(item, "report", ++all->reports);
     view_text(item, "path", path);
     view_text(item, "leading", string(results, "leading"));
+    view_text(item, "label", label_of(string(results, "leading")));
     view_text(item, "version", string(results, "version"));
-    view_number(item, "load", isnan(modulus_Pa) ? load : load * modulus_Pa / 1e6, 3, isnan(modulus_Pa) ? "" : "MPa");
     all->leading = string(all->results[0], "leading");
+    area_m2 = real(get(results, "scene", "nominal_area_m2"));
+    all->area_m2 = all->reports == 1 || fabs(area_m2 / all->area_m2 - 1) < 1e-9 ? area_m2 : NAN;
+    tolerance = real(get(results, "scene", "tolerance"));
+    if (tolerance > 0 && tolerance <= 0.1)
+        all->tie = fmax(all->tie, 2 * tolerance); /* each side has its own error */
+    json_object_set_new(item, "pressure_Pa", json_finite(load * modulus_Pa));
+    if (isnan(modulus_Pa))
+        view_number(item, "load", load, 3, "P/(Aₙ E′)");
+    add_model(all->models, label_of(model_of(all, all->count - 1)));
     return rc == STATUS_OK ? take_ranked(all, all->count - 1, path, status) : rc;
 }
 
 enum status_code report_compare(json_t **out, char *const *paths, size_t count, struct status *status)
 {
-    struct compared all = {.beside = count <= REPORTS_COMPARED};
-    json_t *view = *out = json_object(), *ignored;
+    struct compared all = {.beside = count <= REPORTS_COMPARED, .tie = 1e-9};
+    json_t *view = *out = json_object(), *ignored, *item;
     const char *name;
+    size_t i;
+    all.models = view_list(view, "models");
+    all.without = view_list(view, "without");
     while (all.reports < count && add_report(view, &all, paths[all.reports], status) == STATUS_OK)
         ;
-    all.tie = real(get(all.results[0], "scene", "tolerance"));
     if (status->code == STATUS_OK && all.beside) {
         add_input(view, &all, all.results, "", "version");
         add_input(view, &all, all.results, "", "leading");
@@ -422,8 +519,20 @@ enum status_code report_compare(json_t **out, char *const *paths, size_t count, 
         view_flag(view, "nothing_differs", !all.differ);
         view_flag(view, "beside", all.any);
     }
+    json_array_foreach(json_object_get(view, "reports"), i, item)
+    {
+        if (json_is_number(json_object_get(item, "pressure_Pa")))
+            put_load(item, &all, real(json_object_get(item, "pressure_Pa")));
+    }
+    for (int part = 0; part < 2; part++) /* of more than two reports the ranking comes first */
+        view_flag(view_item(view_list(view, "parts")), (part == 0) == (count > 2) ? "of_all" : "side_by_side", true);
     view_flag(view, "beside_few", all.beside);
     view_text(view, "model", all.leading);
+    view_text(view, "label", label_of(all.leading));
+    view_text(view, "load", string(json_array_get(json_object_get(view, "reports"), 0), "load"));
+    view_separate(all.models);
+    view_separate(all.without);
+    view_some(view, "more_without", all.without_count - json_array_size(all.without));
     view_flag(view, "loads_differ", all.loads_differ);
     if (status->code == STATUS_OK && all.items > limit_most(LIMIT_COMPARED))
         (void)status_fail(status, STATUS_SCAN, "too much differs%s", limit_words(LIMIT_COMPARED).text);

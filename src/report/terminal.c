@@ -67,7 +67,7 @@ static const char *put_markdown(struct text *out, const char *line)
 static void add_unmarked(struct text *out, const char *string)
 {
     for (; *string; string++)
-        text_add(out, strchr("\\*`", *string) ? "\\%c" : "%c", *string);
+        text_add(out, strchr("\\*`#", *string) ? "\\%c" : "%c", *string);
 }
 
 /** Takes the template's own marks of Markdown out, and what kept others from being such. */
@@ -77,6 +77,8 @@ static void strip(struct text *words)
     for (size_t i = 0; i < words->length; i++)
         if (words->data[i] == '\\' && i + 1 < words->length)
             words->data[kept++] = words->data[++i];
+        else if (words->data[i] == '#' && (words->data[i + 1] == '#' || words->data[i + 1] == ' '))
+            i += words->data[i + 1] == ' '; /* of a heading */
         else if (!strchr("*`", words->data[i]))
             words->data[kept++] = words->data[i];
     words->length = kept;

@@ -62,15 +62,16 @@ json_t *view_item(json_t *array);
 json_t *view_list(json_t *out, const char *name);
 /** Marks all items but the last with `more`, the first with `first`, the last with `last`. */
 void view_separate(json_t *array);
-/** A load of a surface as the user has it: "0.40 N". */
 /** `gamma` with its standard error and `alpha` of a law; nothing where there is none. */
 void view_law(json_t *out, const struct power_law *law);
+/** A load of a surface as the user has it: "0.40 N". */
 void view_load(json_t *out, const char *name, const struct view_source *source, size_t surface, double load);
 /** Name of a surface, as given. */
 const char *view_name(const struct view_source *source, size_t surface);
 const struct surface_summary *view_summary(const struct view_source *source, size_t surface);
 
-/** The targets' and limits' verdicts: names each surface that misses a limit, a line each; returns how many. */
-size_t view_missed_limits(struct text *out, const struct results *results);
+/** Names each surface that misses a limit, else each of which it is undecided or not known, a line each; returns how
+ * many. */
+size_t view_limits_of(struct text *out, const struct results *results, bool missed);
 
 #endif

@@ -167,8 +167,8 @@ static void put_surface(json_t *item, const struct view_source *source, size_t s
     view_flag(item, "gap", laws[0].asked.quantity == QUANTITY_JOINT);
     view_flag(item, "film_or_plating", laws[1].asked.quantity == QUANTITY_JOINT_ECR);
     view_flag(item, "shape", plan_runs(results->plan, EFFECT_SHAPE));
-    put_si(item, "sigma", record->summary.roughness.rq_m);
-    put_si(item, "slope", cmy_slope(record->summary.roughness.m2));
+    put_si(item, "sigma", record->summary.rough.sigma_m);
+    put_si(item, "slope", record->summary.rough.slope);
     put_si(item, "hardness", record->summary.pair.hardness_Pa);
 }
 

@@ -16,16 +16,27 @@ static const struct answer *answer_to(const struct view_source *source, size_t t
     return &view_summary(source, surface)->answers[target * model_count + m];
 }
 
+/** May the first page print a model's number at this load: of the textbook none where its law does not hold. */
+static bool textbook_holds(const struct view_source *source, size_t surface, size_t m, double load)
+{
+    return !model_rows[m]->textbook || curve_summary_is_valid(surface_model(view_summary(source, surface), m), load);
+}
+
 /** To the target that the first page is about. */
 static const struct answer *answer_of(const struct view_source *source, size_t surface, size_t m)
 {
-    return answer_to(source, (size_t)(source->asked.target - source->results->scene->targets), surface, m);
+    static const struct answer none = {.kind = ANSWER_NONE, .load = NAN, .low = NAN, .high = NAN};
+    const struct answer *answer =
+        answer_to(source, (size_t)(source->asked.target - source->results->scene->targets), surface, m);
+    return textbook_holds(source, surface, m, answer->load) ? answer : &none;
 }
 
 /** The asked quantity of a model where the summary stands, as shown. */
 static double value_of(const struct view_source *source, size_t m, size_t surface)
 {
     const struct contact_point at = comparison_middle(source->results, m, surface);
+    if (!textbook_holds(source, surface, m, results_operating_load(source->results, surface)))
+        return NAN;
     return asked_shown(&source->asked, at.value[source->asked.quantity]);
 }
 
@@ -223,7 +234,8 @@ static void put_in_order(json_t *item, const struct view_source *source, size_t 
 {
     struct text text = {0};
     const size_t count = source->results->usable_count;
-    for (size_t k = 0; k<count; k += count> 4 ? count - 1 : 1) {
+    const size_t step = count > 4 ? count - 1 : 1;
+    for (size_t k = 0; k < count; k += step) {
         text_add(&text, k == 0 ? "" : count > 4 ? "\u00a0…\u00a0" : ", ");
         number_format(&text, value_of(source, m, source->results->by_roughness[k]), 3);
     }
@@ -500,10 +512,11 @@ static double of_scanned(const struct view_source *source, size_t surface)
     return estimate_has_width(known, known->half_width) ? exp(known->half_width) : NAN;
 }
 
-/** By how much the asked quantity changes where area and ECR do so by these factors: film and plating are by the area,
- * the heat in the gaps stays, and so does the way to the spots. */
-static double change_of(const struct view_source *source, size_t surface, double area, double ecr)
+/** By how much the asked quantity changes where area, gap and ECR do so by these factors (NaN: not known): film and
+ * plating are by the area, the heat in the gaps stays, and so does the way to the spots. */
+static double change_of(const struct view_source *source, size_t surface, double area, double gap, double ecr)
 {
+    const double factors[FOLLOWS_COUNT] = {NAN, area, gap, ecr};
     const struct contact_point at = comparison_middle(source->results, source->leading, surface);
     double spots = 1 / (at.value[QUANTITY_TCR] * at.value[QUANTITY_JOINT]);
     double bare = at.value[QUANTITY_ECR] / at.value[QUANTITY_JOINT_ECR];
@@ -513,12 +526,11 @@ static double change_of(const struct view_source *source, size_t surface, double
     const struct joint_shape *shapes = source->results->surfaces[surface].shapes,
                              *shape = shapes ? &shapes[source->leading] : NULL;
     double load = at.value[QUANTITY_LOAD];
-    return asked == QUANTITY_AREA          ? area
-           : asked == QUANTITY_JOINT       ? heat
+    return asked == QUANTITY_JOINT         ? heat
            : asked == QUANTITY_JOINT_ECR   ? current
            : asked == QUANTITY_SHAPE_JOINT ? 1 / joint_shape_change(shape, load, JOINT_HEAT, 1 / heat)
            : asked == QUANTITY_SHAPE_ECR   ? joint_shape_change(shape, load, JOINT_CURRENT, current)
-                                           : ecr;
+                                           : factors[quantity_rows[asked].follows];
 }
 
 /** The direct solution where there is one, else 95 % of what the model says of itself, else the one that stands beside
@@ -540,7 +552,7 @@ static double of_model(const struct view_source *source, size_t surface)
         return exp(1.96 * known->model_sd);
     if (model_sd(row, QUANTITY_AREA) > 0)
         return change_of(source, surface, exp(-1.96 * model_sd(row, QUANTITY_AREA)),
-                         exp(1.96 * model_sd(row, QUANTITY_ECR)));
+                         exp(1.96 * model_sd(row, QUANTITY_SEPARATION)), exp(1.96 * model_sd(row, QUANTITY_ECR)));
     size_t beside = model_index(row->gaussian);
     bool alone = plan_runs_model(results->plan, beside);
     for (size_t m = 0; m < model_count; m++) {
@@ -560,7 +572,7 @@ static double of_lay(const struct view_source *source, size_t surface)
 {
     const struct surface_summary *summary = view_summary(source, surface);
     const double *lay = summary->perfect_lay;
-    return !summary->has_lay && lay[0] > 0 ? change_of(source, surface, lay[0], lay[1]) : NAN;
+    return !summary->has_lay && lay[0] > 0 ? change_of(source, surface, lay[0], NAN, lay[1]) : NAN;
 }
 
 static double of_change(const struct view_source *source, size_t surface, enum sensitivity_change change)
@@ -569,7 +581,7 @@ static double of_change(const struct view_source *source, size_t surface, enum s
     const struct sensitivity_factors *factors = &model->sensitivity;
     if (!model->exists || (sensitivity_changes[change].plastic && !model_rows[source->leading]->plastic))
         return NAN;
-    return change_of(source, surface, factors->area[change], factors->ecr[change]);
+    return change_of(source, surface, factors->area[change], NAN, factors->ecr[change]);
 }
 
 /** The factor by which a limit may change the answer, the farthest from 1 over all usable surfaces. */
@@ -645,13 +657,16 @@ static void put_flatness(json_t *out, const struct view_source *source)
 
 /* ---- The table ---- */
 
-static const char *const verdict_names[] = {
-    [LIMIT_NO_VALUE] = "no_value", [LIMIT_MET] = "met", [LIMIT_MISSED] = "missed", [LIMIT_CANNOT_TELL] = "undecided"};
+/** A verdict's name as a flag of the view. */
+static const char *verdict_flag(int verdict)
+{
+    return verdict == LIMIT_NO_VALUE ? "no_value" : limit_verdict_words[verdict];
+}
 
 /** Of several limits the worst verdict counts. */
 static enum limit_verdict worst_verdict(const struct view_source *source, size_t surface)
 {
-    static const int order[] = {[LIMIT_MET] = 0, [LIMIT_NO_VALUE] = 1, [LIMIT_CANNOT_TELL] = 2, [LIMIT_MISSED] = 3};
+    static const int order[] = {[LIMIT_MET] = 0, [LIMIT_NO_VALUE] = 1, [LIMIT_UNDECIDED] = 2, [LIMIT_MISSED] = 3};
     enum limit_verdict worst = LIMIT_MET;
     for (size_t l = 0; l < source->results->scene->limit_count; l++) {
         enum limit_verdict own = view_summary(source, surface)->limits[l].verdict;
@@ -678,7 +693,7 @@ static void put_row(json_t *row, const struct view_source *source, size_t surfac
     if (source->asked.target)
         put_answer(view_part(row, "answer"), source, answer_of(source, surface, source->leading), surface);
     if (source->results->scene->limit_count > 0)
-        view_flag(row, verdict_names[worst_verdict(source, surface)], true);
+        view_flag(row, verdict_flag(worst_verdict(source, surface)), true);
     for (size_t p = 0; lettered && p < ranking->count; p++)
         if (ranking->surface[p] == surface) {
             char letters[RANKING_LETTERS + 1];
@@ -712,7 +727,7 @@ static void put_asked_limits(json_t *out, const struct view_source *source)
     const struct scene *scene = source->results->scene;
     for (size_t l = 0; l < scene->limit_count; l++) {
         json_t *item = view_item(view_list(out, "asked_limits"));
-        size_t counts[LIMIT_CANNOT_TELL + 1] = {0}, last[LIMIT_CANNOT_TELL + 1], all = source->results->usable_count;
+        size_t counts[LIMIT_UNDECIDED + 1] = {0}, last[LIMIT_UNDECIDED + 1], all = source->results->usable_count;
         char text[2 * UNIT_LENGTH], unit[UNIT_LENGTH + 20];
         asked_text(unit, sizeof unit, scene->limits[l].text);
         snprintf(text, sizeof text, "%s %s", scene->limits[l].is_most ? "≤" : "≥", unit);
@@ -726,9 +741,9 @@ static void put_asked_limits(json_t *out, const struct view_source *source)
         }
         view_flag(item, "all_meet", counts[LIMIT_MET] == all);
         view_flag(item, "one", all == 1);
-        for (int v = LIMIT_NO_VALUE; v <= LIMIT_CANNOT_TELL; v++)
+        for (int v = LIMIT_NO_VALUE; v <= LIMIT_UNDECIDED; v++)
             if (counts[v] > 0 && counts[LIMIT_MET] < all)
-                view_counted(view_item(view_list(item, "verdicts")), verdict_names[v], counts[v],
+                view_counted(view_item(view_list(item, "verdicts")), verdict_flag(v), counts[v],
                              all > 1 ? view_name(source, last[v]) : NULL);
         view_separate(json_object_get(item, "verdicts"));
     }
@@ -853,28 +868,43 @@ void view_first_page(json_t *out, const struct view_source *source)
     put_table(out, source);
 }
 
-size_t view_missed_limits(struct text *out, const struct results *results)
+/** A value of a limit in its unit. */
+static void add_limit_value(struct text *out, const struct scene_asked *limit, const char *before, double value)
 {
-    size_t missed = 0;
+    text_add(out, "%s", before);
+    number_format(out, scene_asked_shown(limit, value), 3);
+}
+
+size_t view_limits_of(struct text *out, const struct results *results, bool missed)
+{
+    size_t count = 0;
     for (size_t i = 0; i < results->surface_count; i++)
         for (size_t l = 0; l < results->scene->limit_count && results->surfaces[i].summary.usable; l++) {
             const struct scene_asked *limit = &results->scene->limits[l];
             const struct limit_check *check = &results->surfaces[i].summary.limits[l];
-            if (check->verdict != LIMIT_MISSED)
+            bool swapped = limit->is_upper != limit->is_most; /* a reciprocal's ends */
+            if (check->verdict == LIMIT_MET || (check->verdict == LIMIT_MISSED) != missed)
                 continue;
             text_add(out, "surface '");
             text_add_shown(out, results->surfaces[i].summary.scene->name);
-            text_add(out, "' misses the limit %s %s ", limit->symbol, limit->is_most ? "≤" : "≥");
+            text_add(out, "' %s the limit %s %s ", missed ? "misses" : "leaves undecided", limit->symbol,
+                     limit->is_most ? "≤" : "≥");
             text_add_shown(out, limit->text);
-            double value = scene_asked_shown(limit, check->value);
-            text_add(out, isfinite(value) ? ": " : ": from a lighter load on\n");
-            if (isfinite(value)) {
-                number_format(out, value, 3);
+            if (isfinite(check->value))
+                add_limit_value(out, limit, ": ", check->value);
+            else
+                text_add(out, missed ? ": from a lighter load on" : ": no value");
+            if (!missed && isfinite(check->low) && isfinite(check->high)) {
+                add_limit_value(out, limit, " (95 % ", swapped ? check->high : check->low);
+                add_limit_value(out, limit, " to ", swapped ? check->low : check->high);
+                text_add(out, ")");
+            }
+            if (isfinite(check->value)) {
                 text_add(out, " ");
                 text_add_shown(out, limit->unit_text);
-                text_add(out, "\n");
             }
-            missed++;
+            text_add(out, "\n");
+            count++;
         }
-    return missed;
+    return count;
 }

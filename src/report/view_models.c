@@ -86,31 +86,6 @@ static void put_heights(json_t *out, const struct view_source *source)
     view_flag(item, "alike", range.least > 0.9 && range.most < 1.1);
 }
 
-/** What falling load changes at some of its shares, over the same load rising. */
-static void put_unloading(json_t *out, const struct view_source *source)
-{
-    static const double shares[] = {0.5, 0.2, 0.1, 0.05};
-    const struct surface_unloading *unloading = source->baseline->summary.unloading;
-    if (!unloading)
-        return;
-    const struct unloading *ratio = &unloading->ratio;
-    size_t baseline = source->results->baseline;
-    json_t *item = view_part(out, "unloading"), *rows = view_list(item, "rows");
-    view_load(item, "from", source, baseline, unloading->largest_load);
-    view_text(item, "label", model_rows[unloading->model]->label);
-    for (size_t i = 0; i < sizeof shares / sizeof *shares; i++) {
-        double area = unloading_factor(ratio, QUANTITY_AREA, shares[i]);
-        if (isnan(area))
-            continue;
-        json_t *row = view_item(rows);
-        view_load(row, "load", source, baseline, shares[i] * unloading->largest_load);
-        view_number(row, "area", area, 2, "");
-        view_number(row, "gap", unloading_factor(ratio, QUANTITY_SEPARATION, shares[i]), 2, "");
-        view_number(row, "resistance", unloading_factor(ratio, QUANTITY_ECR, shares[i]), 2, "");
-    }
-    view_separate(rows);
-}
-
 static void put_one_surface(json_t *out, const struct view_source *source)
 {
     const struct results *results = source->results;
@@ -138,7 +113,6 @@ static void put_one_surface(json_t *out, const struct view_source *source)
             view_number(one, "load", kink->load * scale, 2, "");
             view_number(one, "wavelength_um", kink->wavelength_m * 1e6, 2, "");
         }
-    put_unloading(item, source);
     if (json_object_get(item, "rows"))
         json_object_set(out, "one_surface", item);
     json_decref(item);
@@ -353,7 +327,6 @@ void view_joint(json_t *out, const struct view_source *source)
         view_number(part, "nominal_mm2", scene->nominal_area_m2 * 1e6, 3, "");
         view_count(part, "bolts", bolts);
         view_number(part, "bolt_kN", bolts > 0 ? scene->shape.bolts.force_N * 1e-3 : NAN, 3, "");
-        view_number(part, "nut_factor", bolts > 0 ? scene->shape.nut_factor : NAN, 3, "");
         view_flag(part, "without_place", joint->fields && joint->fields->share);
         view_flag(part, "scaled", joint->pressed && joint->field_count == 1);
         put_range(part, "carrying_mm2", &ranges[CARRYING], 2);
@@ -369,25 +342,6 @@ void view_joint(json_t *out, const struct view_source *source)
 }
 
 /* ---- Measured, and the direct solution ---- */
-
-/** Branch by branch, where there is a curve of falling load for the second. */
-static void put_branches(json_t *out, const struct view_source *source, size_t surface)
-{
-    static const char *const names[] = {"loading", "unloading"};
-    const struct measured *measured = &source->results->measured[surface];
-    const struct measured_answers *answers = &source->results->answers[surface];
-    const struct surface_unloading *unloading = view_summary(source, surface)->unloading;
-    if (!unloading || measured_compare(measured, answers, MEASURED_UNLOADING).points == 0)
-        return;
-    json_t *item = view_part(out, "branches");
-    view_text(item, "label", model_rows[unloading->model]->label);
-    for (size_t b = 0; b < 2; b++) {
-        struct measured_distance distance = measured_compare(measured, answers, MEASURED_LOADING + b);
-        json_t *branch = view_part(item, names[b]);
-        view_number(branch, "factor", pow(10, distance.rms_decades), 3, "");
-        view_number(branch, "ratio", pow(10, distance.bias_decades), 3, "");
-    }
-}
 
 /** What the measured growth with load is a mark of, where the points tell. */
 static void put_exponent(json_t *out, const struct measured_exponent *exponent)
@@ -427,7 +381,6 @@ static void put_measured_models(json_t *item, const struct view_source *source, 
     size_t nearest = measured_nearest(measured, answers);
     if (nearest < model_count)
         view_text(item, "nearest", model_rows[nearest]->label);
-    put_branches(item, source, surface);
     put_exponent(item, &answers->exponent);
     view_counted(item, "points", measured->count, NULL);
     if (measured->run_count > 1)

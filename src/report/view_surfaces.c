@@ -49,8 +49,8 @@ static void put_constants(json_t *row, const struct view_source *source, size_t 
     const struct contact_point at = comparison_middle(source->results, source->leading, surface);
     const double load = results_operating_load(source->results, surface), joint = at.value[QUANTITY_JOINT];
     const double spots = 1 / at.value[QUANTITY_TCR];
-    put_plain(row, "sigma_um", s->roughness.rq_m * 1e6);
-    put_plain(row, "slope", cmy_slope(s->roughness.m2));
+    put_plain(row, "sigma_um", s->rough.sigma_m * 1e6);
+    put_plain(row, "slope", s->rough.slope);
     put_plain(row, "hardness_GPa", s->pair.hardness_Pa > 0 ? s->pair.hardness_Pa * 1e-9 : NAN);
     put_plain(row, "pressure_MPa", s->pair.unknown ? NAN : material_pair_pressure(&s->pair, load) * 1e-6);
     put_plain(row, "spots_W_per_m2K", spots);
@@ -79,6 +79,8 @@ static void put_surface(json_t *row, const struct view_source *source, size_t su
         return;
     view_law(row, law);
     view_flag(row, "narrow", law->found == POWER_LAW_BAND_NARROW);
+    if (law->found == POWER_LAW_BAND_SCATTERED)
+        view_number(row, "scattered_rms", law->misfit_decades, 2, "");
     view_range(row, "band_um", law->band_m[0] * 1e6, law->band_m[1] * 1e6, 3, "");
     double wavelength_m = results_law_wavelength_m(source->results);
     put_amplitude(row, "amplitude_um", law, isfinite(wavelength_m) ? wavelength_m : law->wavelength_m);

@@ -8,8 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/** A unit as people print it: "mohm" as "mΩ", "W/m2/K" as "W/(m²·K)". */
-static void asked_unit(char *out, size_t size, const char *unit)
+void asked_unit(char *out, size_t size, const char *unit)
 {
     static const char *const words[][2] = {{"W/(m2*K)", "W/(m²·K)"},
                                            {"W/(m2 K)", "W/(m²·K)"},
@@ -66,21 +65,18 @@ size_t asked_textbook(const struct results *results)
     return model_count;
 }
 
-/** Takes the prefix of a unit in which the baseline's answer is between 1 and 1000. */
-static void choose_prefix(struct asked *asked, const struct results *results, const char *unit)
+double asked_prefix(char *out, size_t size, const char *unit, double value)
 {
     static const struct {
         const char *sign;
         double factor;
     } prefixes[] = {{"k", 1e3}, {"", 1}, {"m", 1e-3}, {"µ", 1e-6}, {"n", 1e-9}};
-    const struct contact_point at = comparison_middle(results, plan_leading_model(results->plan), results->baseline);
-    double value = fabs(asked->scale * at.value[asked->quantity]);
     size_t p = 1;
     if (value > 0 && isfinite(value))
         for (p = 0; p + 1 < sizeof prefixes / sizeof *prefixes && value < prefixes[p].factor; p++)
             ;
-    asked->scale /= prefixes[p].factor;
-    snprintf(asked->unit, sizeof asked->unit, "%s%s", prefixes[p].sign, unit);
+    snprintf(out, size, "%s%s", prefixes[p].sign, unit);
+    return prefixes[p].factor;
 }
 
 struct asked asked_of(const struct results *results)
@@ -108,7 +104,9 @@ struct asked asked_of(const struct results *results)
     } else if (how->total && isfinite(area_m2)) {
         out.scale = 1 / area_m2;
         asked_unit(unit, sizeof unit, unit_si(how->total));
-        choose_prefix(&out, results, unit);
+        const struct contact_point at =
+            comparison_middle(results, plan_leading_model(results->plan), results->baseline);
+        out.scale /= asked_prefix(out.unit, sizeof out.unit, unit, fabs(out.scale * at.value[out.quantity]));
     } else {
         const struct quantity_unit shown = quantity_unit(out.quantity);
         out.scale = out.reciprocal ? 1 : shown.scale;
@@ -139,8 +137,9 @@ struct asked_load asked_load_of(const struct results *results, size_t surface)
     double area_m2 = scene->nominal_area_m2;
     struct asked_load out = {"", 1, false};
     if (load->unit_text[0]) {
-        out.force = load->kind == UNIT_FORCE;
-        out.scale = scene_load_divisor(scene, load->kind, pair) / load->unit.factor;
+        enum unit_quantity kind = (enum unit_quantity)unit_of(&load->unit, UNIT_LOADS);
+        out.force = kind == UNIT_FORCE;
+        out.scale = scene_load_divisor(scene, kind, pair) / load->unit.factor;
         asked_unit(out.unit, sizeof out.unit, load->unit_text);
     } else if (!pair->unknown) {
         out.force = isfinite(area_m2);

@@ -32,7 +32,7 @@ double results_sweep_load(const struct results *results, size_t model)
 {
     const struct scene_convergence *study = &results->scene->convergence;
     const struct material_pair *pair = results_pair(results, results->baseline);
-    bool yields = model_rows[model]->plastic && pair->hardness_Pa > 0 && !study->given;
+    bool yields = model_rows[model]->plastic && pair->hardness_Pa > 0 && !study->load_given;
     return yields ? fmin(study->load, pair->hardness_Pa / material_pair_pressure(pair, 100)) : study->load;
 }
 

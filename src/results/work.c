@@ -41,7 +41,7 @@ void work_account(struct work_row rows[WORK_ROWS], const struct results *results
                                         .reason = plan->effects[e].reason,
                                         .changes = change_of(plan->words, (enum effect)e, plan->effects[e].runs)};
     struct work_row *convergence = &rows[1 + EFFECT_CONVERGENCE], *direct = &rows[1 + EFFECT_DIRECT],
-                    *uncertainty = &rows[1 + EFFECT_UNCERTAINTY], *unloading = &rows[1 + EFFECT_UNLOADING];
+                    *uncertainty = &rows[1 + EFFECT_UNCERTAINTY];
     convergence->evaluations = studies->sweep_scales;
     convergence->seconds = studies->sweep_seconds;
     direct->evaluations = studies->contacts;
@@ -54,8 +54,6 @@ void work_account(struct work_row rows[WORK_ROWS], const struct results *results
         convergence->seconds += summary->times.convergence;
         uncertainty->evaluations += summary->simulated_evaluations;
         uncertainty->seconds += summary->times.uncertainty;
-        unloading->evaluations += summary->unloading ? summary->unloading->ratio.transforms : 0;
-        unloading->seconds += summary->times.unloading;
     }
 }
 
@@ -103,9 +101,6 @@ double work_seconds(const struct results *results, size_t threads)
         double strips = (summary->has_strips ? summary->strip_cost : 0) + (summary->has_tiles ? summary->tile_cost : 0);
         strips *= effects_transform_seconds;
         sum += strips;
-        if (plan_runs(plan, EFFECT_UNLOADING)) /* two branches of its shares in one strip */
-            sum += summary->strip_cost * effects_transform_seconds * 2 * UNLOADING_SHARES /
-                   (STRIP_LOADS * (1 + STRIP_SURROGATES));
         longest = fmax(longest, strips);
         if (plan_runs(plan, EFFECT_UNCERTAINTY) && summary->single_points > 0)
             sum += uncertainty_seconds(summary->single_points);

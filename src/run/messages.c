@@ -3,7 +3,10 @@
 
 #include <string.h>
 
-enum { KINDS = 64 }; /* of others every message is said */
+enum {
+    KINDS = 64,        /* of others every message is said */
+    REFUSALS_SAID = 10 /* of what is refused; more are counted */
+};
 
 /** Notes that differ in nothing but their numbers and names. */
 struct kind {
@@ -78,23 +81,28 @@ static bool take(struct kind kinds[KINDS], const char *surface, const struct not
 
 size_t messages_add(struct text *messages, const struct results *results, bool reported)
 {
-    size_t refused = 0;
-    struct kind kinds[KINDS] = {0}; /* in the order in which they were met */
+    size_t refused = 0, refusals = 0; /* of surfaces; and of scans with them */
+    struct kind kinds[KINDS] = {0};   /* in the order in which they were met */
     if (results->scene && results->scene->passed_over)
         text_add(messages, "%s\n", results->scene->passed_over);
     for (size_t i = 0; results->surfaces && i < results->surface_count; i++) {
         const struct surface_summary *summary = &results->surfaces[i].summary;
         const char *name = summary->scene ? summary->scene->name : NULL;
         refused += summary->refusal != NULL;
-        if (summary->refusal)
+        if (summary->refusal && refusals++ < REFUSALS_SAID)
             say(messages, name, " refused", summary->refusal);
         for (size_t n = 0; n < summary->notes.count; n++) {
             const struct note *note = &summary->notes.notes[n];
+            refusals += note->refused_scan;
+            if ((summary->refusal || note->refused_scan) && refusals > REFUSALS_SAID)
+                continue;
             bool alone = !reported || summary->refusal || note->refused_scan; /* in no report, or to be seen to */
             if (alone || !take(kinds, name, note))
                 say_note(messages, &(struct kind){1, name, name, note}, results->plan->words);
         }
     }
+    if (refusals > REFUSALS_SAID)
+        text_add(messages, "and %zu more refused; `roughcontact inspect --json` names all\n", refusals - REFUSALS_SAID);
     for (size_t k = 0; k < KINDS && kinds[k].note; k++)
         say_note(messages, &kinds[k], results->plan->words);
     return refused;

@@ -72,7 +72,6 @@ static void add_times(struct run_times *times, const struct results *results)
         times->tiles += summary->times.tiles;
         times->convergence += summary->times.convergence;
         times->uncertainty += summary->times.uncertainty;
-        times->unloading += summary->times.unloading;
         for (size_t m = 0; times->models && m < model_count; m++)
             times->models[m] += surface_model(summary, m)->seconds;
     }
@@ -235,6 +234,7 @@ static enum status_code write_all(struct run *run, struct run_outcome *out, stru
         return status->code;
     out->times.tables = lap(&last);
     if (gnuplot_finish(&run->gnuplot, status) != STATUS_OK ||
+        figures_check(&figures, staging, status) != STATUS_OK ||
         figures_letters(&out->charts, &figures, staging, status) != STATUS_OK)
         return status->code;
     out->times.gnuplot = lap(&last);
@@ -246,7 +246,8 @@ static enum status_code write_all(struct run *run, struct run_outcome *out, stru
     if (rc != STATUS_OK ||
         report_terminal(&out->table, "terminal", run->view, options->templates, false, status) != STATUS_OK)
         return status->code;
-    out->missed_count = view_missed_limits(&out->missed, run->results);
+    out->missed_count = view_limits_of(&out->missed, run->results, true);
+    out->undecided_count = view_limits_of(&out->undecided, run->results, false);
     out->times.report = lap(&last);
     return stopped(run) ? status->code : status_lost ? status_memory(status) : exchange_commit(&run->output, status);
 }
@@ -329,6 +330,7 @@ void run_outcome_free(struct run_outcome *outcome)
     text_free(&outcome->messages);
     text_free(&outcome->table);
     text_free(&outcome->missed);
+    text_free(&outcome->undecided);
     text_free(&outcome->charts);
     text_free(&outcome->work);
     json_decref(outcome->outline);

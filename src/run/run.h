@@ -26,8 +26,8 @@ struct run_options {
 
 /** Wall time by stage [s], the threads' own stages summed. */
 struct run_times {
-    double read, prepare, spectrum, strips, tiles, convergence, uncertainty, unloading, direct, cost, tables, figures,
-        gnuplot, report, total;
+    double read, prepare, spectrum, strips, tiles, convergence, uncertainty, direct, cost, tables, figures, gnuplot,
+        report, total;
     double *models; /* model_count of them; owned */
 };
 
@@ -38,11 +38,13 @@ struct run_outcome {
     struct text table;        /* the first page's table and sentence for a terminal */
     struct text missed;       /* one line a surface and limit that it misses */
     size_t missed_count;      /* of those */
-    struct text charts;       /* when terminal_size was given */
-    char *path;               /* of report.html */
-    struct text work;         /* what was done, effect by effect */
-    struct json_t *outline;   /* json_outline(), when asked for; else NULL */
-    uint64_t evaluations;     /* done */
+    struct text undecided;    /* the same of those that are undecided, or have no value */
+    size_t undecided_count;
+    struct text charts;     /* when terminal_size was given */
+    char *path;             /* of report.html */
+    struct text work;       /* what was done, effect by effect */
+    struct json_t *outline; /* json_outline(), when asked for; else NULL */
+    uint64_t evaluations;   /* done */
     struct run_times times;
 };
 

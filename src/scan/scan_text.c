@@ -431,7 +431,7 @@ static void mark_sentinels(struct scan *out)
             found += is_mark(out->z_m[i], mark) ? 1 : 0;
             near += !is_mark(out->z_m[i], mark) && fabs(out->z_m[i]) * sentinel_distance > fabs(mark) ? 1 : 0;
         }
-        if (found == 0 || near > 0)
+        if (found < (mark > 0 || mark < -1e6 * z_m ? 2 : 1) || near > 0)
             continue;
         for (size_t i = 0; i < points; i++)
             out->z_m[i] = is_mark(out->z_m[i], mark) ? NAN : out->z_m[i];

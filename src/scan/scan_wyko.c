@@ -1,77 +1,104 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Wyko (Veeco, Bruker Vision) text, `Wyko ASCII Data File Format`: `X Size` and `Y Size`, a line a block of name, type,
- * length and value, and below the block RAW_DATA a line of heights a row: Bad where nothing was measured. Pixel_size is
- * in mm; heights are in waves of Wavelength [nm] times Mult, or in the unit that the line RAW_DATA names. */
+/* Wyko ASCII: `X Size`, `Y Size`, then blocks, one a line: name, type, length, value. Pixel_size is in mm, Wavelength
+ * in nm; the heights below the block RAW_DATA are in waves, or in the unit that this line names; `Bad` is a gap. */
 #include "scan/reader.h"
 #include "scan/string_view.h"
 
-#include <string.h>
-
-static const double pixel_unit_m = 1e-3, wavelength_unit_m = 1e-9;
+#include <math.h>
 
 bool scan_wyko_sniff(const struct scan_file *file)
 {
     return string_view_starts(scan_view(file), "Wyko ASCII Data File Format");
 }
 
-struct wyko_header {
-    size_t nx, ny;
-    double pixel, aspect, wavelength, multiple;
-};
-
-/* The last field of a line that begins with `name`, of its lines. */
-static bool read_field(double *out, struct string_view line, const char *name)
+/* Does `line` begin with `key`, of which a blank may be written as '_'? *rest gets what follows. */
+static bool has_key(struct string_view line, const char *key, struct string_view *rest)
 {
-    struct string_view cell, last = {line.start, line.start};
-    if (!string_view_starts(line, name))
-        return false;
-    while (cell_next(&line, '\t', &cell))
-        last = cell.start < cell.end ? cell : last;
-    return number_read(last, out) && *out > 0;
+    for (; *key && line.start < line.end; key++, line.start++)
+        if (*key == ' ' ? *line.start != ' ' && *line.start != '_' : !string_view_starts(line, (char[]){*key, '\0'}))
+            return false;
+    *rest = line;
+    return *key == '\0' && (line.start == line.end || string_view_is_blank_char(*line.start));
 }
 
-static bool read_size(size_t *out, struct string_view line, const char *name)
+/* The last word of `line`. */
+static struct string_view last_word(struct string_view line)
 {
-    double value = 0;
-    if (!read_field(&value, line, name) || value > 1e9)
-        return false;
-    *out = (size_t)value;
-    return true;
+    struct string_view word, last = {line.end, line.end};
+    while (cell_next(&line, ' ', &word))
+        last = word;
+    return last;
 }
 
-/* Is it the line of the block of heights? *unit_m is that of its fourth field, where there is one, else 0. */
-static bool is_data(double *unit_m, struct string_view line)
+/* The lines up to the next block, which begins with its name. */
+static struct string_view heights_of(struct lines lines)
 {
-    struct string_view cell;
-    *unit_m = 0;
-    if (!string_view_starts(line, "RAW DATA") && !string_view_starts(line, "RAW_DATA"))
-        return false;
-    for (size_t i = 0; cell_next(&line, '\t', &cell); i++)
-        *unit_m = i == 3 && cell.start < cell.end ? scan_unit_find(cell).si : *unit_m;
-    return true;
+    struct string_view text = {lines.next, lines.next}, line, rest, word;
+    while (lines_next(&lines, &line)) {
+        rest = string_view_trim(line);
+        if (cell_next(&rest, ' ', &word) && !scan_is_missing(word) &&
+            !number_scan(word, NUMBER_POINT, NULL, &(double){0}))
+            break;
+        text.end = line.end;
+    }
+    return text;
+}
+
+static double count_words(struct string_view line)
+{
+    struct string_view word;
+    double count = 0;
+    while (cell_next(&line, ' ', &word))
+        count++;
+    return count;
 }
 
 enum status_code scan_wyko_read(struct scan *out, const struct scan_file *file)
 {
-    struct wyko_header header = {.aspect = 1, .multiple = 1};
+    double nx = 0, ny = 0, pixel_mm = 0, wave_nm = 0, aspect = 1;
+    const struct {
+        const char *key;
+        double *number;
+    } keys[] = {
+        {"X Size", &nx}, {"Y Size", &ny}, {"Pixel size", &pixel_mm}, {"Wavelength", &wave_nm}, {"Aspect", &aspect}};
     struct lines lines = lines_begin(scan_view(file));
-    for (struct string_view line; lines_next(&lines, &line);) {
-        double unit_m;
-        (void)(read_size(&header.nx, line, "X Size") || read_size(&header.ny, line, "Y Size") ||
-               read_field(&header.pixel, line, "Pixel_size") || read_field(&header.aspect, line, "Aspect") ||
-               read_field(&header.wavelength, line, "Wavelength") || read_field(&header.multiple, line, "Mult"));
-        if (!is_data(&unit_m, line))
-            continue;
-        if (!(header.pixel > 0) || (!(unit_m > 0) && !(header.wavelength > 0)))
-            return scan_fail(file, lines.number,
-                             "no Pixel_size or no Wavelength above this line; export the map again");
-        out->nx = header.nx;
-        out->ny = header.ny;
-        const double height_m = unit_m > 0 ? unit_m : header.wavelength * wavelength_unit_m * header.multiple;
-        scan_set_units(out, "mm", unit_m > 0 ? scan_unit_of(unit_m) : "nm");
-        out->dx_m = header.pixel * pixel_unit_m;
-        out->dy_m = out->dx_m * header.aspect;
-        return scan_take_text(out, (struct string_view){lines.next, lines.end}, height_m, NULL, file);
+    struct string_view line, rest;
+    bool heights = false;
+    while (!heights && lines_next(&lines, &line)) {
+        line = string_view_trim(line);
+        heights = has_key(line, "RAW DATA", &rest);
+        for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
+            if (has_key(line, keys[i].key, &rest) &&
+                !(number_read(last_word(rest), keys[i].number) && *keys[i].number > 0))
+                return scan_fail(file, lines.number, "'%s' is no %s; correct this line",
+                                 scan_quote(last_word(rest)).text, keys[i].key);
     }
-    return scan_fail(file, 0, "no block RAW_DATA; export the map with its heights");
+    if (!heights)
+        return scan_fail(file, 0, "no block RAW_DATA; export the heights with it");
+    if (!(nx >= 1 && nx <= UINT32_MAX && ny >= 1 && ny <= UINT32_MAX))
+        return scan_fail(file, 0, "no numbers of points in the lines X Size and Y Size");
+    const char *unit = scan_unit_find(last_word(rest)).name;
+    double z_m = unit ? scan_unit_m(unit) : wave_nm * 1e-9;
+    if (!(pixel_mm > 0 && z_m > 0))
+        return scan_fail(file, 0, "no %s in the header; export the file with it",
+                         pixel_mm > 0 ? "Wavelength" : "Pixel_size");
+    out->nx = (size_t)nx;
+    out->ny = (size_t)ny;
+    struct string_view text = heights_of(lines);
+    bool by_columns = nx > 1 && ny > 1 && nx != ny && lines_next(&lines, &line) && count_words(line) == ny;
+    if (by_columns) { /* a line holds a column of the map */
+        out->nx = (size_t)ny;
+        out->ny = (size_t)nx;
+    }
+    if (scan_take_text(out, text, z_m, NULL, file) != STATUS_OK)
+        return file->status->code;
+    out->dx_m = pixel_mm * 1e-3;
+    out->dy_m = ny > 1 ? out->dx_m * aspect : 0;
+    scan_set_units(out, "mm", unit ? unit : "nm");
+    if (by_columns) {
+        out->dx_m = out->dy_m;
+        out->dy_m = pixel_mm * 1e-3;
+        return scan_transpose(out, file->status);
+    }
+    return STATUS_OK;
 }

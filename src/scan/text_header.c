@@ -25,8 +25,8 @@ struct key {
 #define OTHER_AXES "y z dy dz height vertical row rows line lines column"
 #define NO_STEP                                                                                                        \
     OTHER_AXES                                                                                                         \
-        " length speed velocity frequency rate points point number count profile profiles evaluation mean rsm sm "     \
-        "psm groove thread time"
+    " length speed velocity frequency rate points point number count profile profiles evaluation mean rsm sm "         \
+    "psm groove thread time"
 
 /* What a number is, by the words in front of it: one of `any`, one of `also` where that is given, and none of `none`.
  */

@@ -37,7 +37,7 @@ static void decide(struct plan *plan, enum effect effect, const struct scene *sc
 {
     const struct effect_row *row = &effect_rows[effect];
     const bool listed = scene->effects & EFFECT_BIT(effect);
-    const struct model_row *leading = model_rows[plan_leading_model(plan)];
+    const char *key = effect == EFFECT_CONVERGENCE ? "convergence" : row->key;
     bool runs = false;
     const char *why, *lack = NULL;
     if (effect == EFFECT_CONVERGENCE &&
@@ -48,9 +48,8 @@ static void decide(struct plan *plan, enum effect effect, const struct scene *sc
         why = "effect.direct";
     } else if (row->only_listed && !listed) {
         why = "effect.only_listed";
-    } else if (effect == EFFECT_UNLOADING) {
-        runs = leading->plastic;
-        why = runs ? "effect.listed" : "effect.no_hardness";
+    } else if (effect == EFFECT_CONVERGENCE && scene->effects_auto && !listed && !scene->convergence.given) {
+        why = "effect.no_key"; /* its sweeps are of made-up surfaces: never unasked */
     } else if (row->key && !(scene->called & EFFECT_BIT(effect))) {
         why = "effect.no_key";
     } else if (!scene->effects_auto) {
@@ -62,9 +61,7 @@ static void decide(struct plan *plan, enum effect effect, const struct scene *sc
         runs = true;
         why = row->key ? "effect.key" : row->properties[0] ? "effect.material" : "effect.needs_none";
     }
-    plan_decide(plan, effect, runs,
-                lack ? lack
-                     : words_say(plan->words, "%s\nkey %s\nleading %s", why, row->key ? row->key : "", leading->label));
+    plan_decide(plan, effect, runs, lack ? lack : words_say(plan->words, "%s\nkey %s", why, key ? key : ""));
 }
 
 /** What a report is asked for first: the first target, else what models compute of the greatest precedence. */

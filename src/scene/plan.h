@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Which effects run and why (README, The scene: `effects: auto`). Decided once, before any model. */
+/* Which effects run and why (docs/scene.md, `effects`). Decided once, before any model. */
 #ifndef SCENE_PLAN_H
 #define SCENE_PLAN_H
 

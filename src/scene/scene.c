@@ -40,7 +40,7 @@ static struct scene default_scene(void)
 
 bool scene_bins_spectra(const struct scene *scene)
 {
-    return scene->data == SCENE_DATA_AUTO && !scene->exports && scene->surface_count > SCENE_DATA_SURFACES;
+    return !scene->exports && scene->surface_count > SCENE_DATA_SURFACES;
 }
 
 /* Reads scene.yaml; without one, scene->path goes. A dangling link of that name is an error, not an absence. */
@@ -284,12 +284,21 @@ static bool check_one_load(const struct scene_one_load *one, const char *key, st
                              load->kind == UNIT_NUMBER ? "" : " ", unit_si(load->kind), least, most);
 }
 
+/* Where the scene gives no loads, tables and charts stand in the unit of the operating load. */
+static void take_load_unit(struct scene_load *load, const struct scene_one_load *operating)
+{
+    if (load->given || !operating->unit_text[0])
+        return;
+    load->unit = operating->unit;
+    strcpy(load->unit_text, operating->unit_text);
+}
+
 static bool check_loads(struct scene *scene, struct scene_source *source)
 {
+    take_load_unit(&scene->load, &scene->operating);
     return check_load_kind(scene, source, "load", scene->load.kind, scene_keys_line(source, "load")) &&
            check_load_kind(scene, source, "loads", scene->direct.kind, scene_keys_line(source, "direct")) &&
-           check_one_load(&scene->operating, "operating_load", scene, source) &&
-           check_one_load(&scene->unload_from, "unload_from", scene, source);
+           check_one_load(&scene->operating, "operating_load", scene, source);
 }
 
 static bool check_template(const struct scene *scene, struct scene_source *source)

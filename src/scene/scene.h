@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the user asks for: DIR/scene.yaml, with defaults for everything (README, The scene). */
+/* What the user asks for: DIR/scene.yaml, with defaults for everything (docs/scene.md). */
 #ifndef SCENE_SCENE_H
 #define SCENE_SCENE_H
 
@@ -63,7 +63,7 @@ struct scene_load {
     size_t points;               /* >= 1 */
     double *values;              /* count `points`, or NULL */
     enum unit_quantity kind;     /* UNIT_NUMBER: P/(A_n E'); UNIT_PRESSURE: P/A_n; UNIT_FORCE: P */
-    struct unit unit;            /* what they were given in */
+    struct unit unit;            /* what they were given in; where the scene gives none, what operating_load was */
     char unit_text[UNIT_LENGTH]; /* the same, as charts and tables over load are to stand in; "": P/(A_n E') */
     bool given;                  /* by the scene: kind and unit are those of its first load */
 };
@@ -72,6 +72,8 @@ struct scene_load {
 struct scene_one_load {
     double load; /* SI; 0: none */
     enum unit_quantity kind;
+    struct unit unit;
+    char unit_text[UNIT_LENGTH]; /* as given; "": P/(A_n E'), or it was not */
 };
 
 struct scene_convergence {
@@ -79,7 +81,7 @@ struct scene_convergence {
     double load;         /* P/(A_n E') */
     double scan_length_m;
     size_t scales;
-    bool given; /* the scene has the key */
+    bool given, load_given; /* the scene has the key, and the load in it */
 };
 
 /** Which mean free path the scale dependence of TCR takes where a material does not give one. */
@@ -118,7 +120,7 @@ struct scene_shape {
     struct scene_files files;           /* of height or pressure */
     unsigned scale;                     /* 1: the field is that of any load */
     struct shape_bolts bolts;
-    double torque_Nm, thread_m, head_m, nut_factor; /* of each */
+    double head_m; /* of each */
 };
 
 /** A target or a limit. */
@@ -140,14 +142,7 @@ struct scene_asked {
 /** A value of the quantity in the unit of the scene. */
 double scene_asked_shown(const struct scene_asked *asked, double value);
 
-/** How much of the spectra data/ holds. */
-enum scene_data {
-    SCENE_DATA_AUTO, /* every harmonic up to SCENE_DATA_SURFACES surfaces, beyond that bins of them */
-    SCENE_DATA_FULL, /* every harmonic */
-    SCENE_DATA_COUNT
-};
-extern const char *const scene_data_names[SCENE_DATA_COUNT];
-enum { SCENE_DATA_SURFACES = 100, SCENE_EXPORTS_MOST = 64 };
+enum { SCENE_DATA_SURFACES = 100 /* beyond, data/ holds bins of the spectra */, SCENE_EXPORTS_MOST = 64 };
 
 enum { SCENE_BYTES_MOST = 1024 * 1024 }; /* of scene.yaml */
 
@@ -166,12 +161,11 @@ struct scene {
     double nominal_area_m2;     /* NaN: resistances stay per area */
     enum scene_mean_free_path mean_free_path;
     struct scene_load load;
-    struct scene_one_load operating;   /* where summary and tables stand; none: at the middle one */
-    struct scene_one_load unload_from; /* the largest that the contact has seen */
-    double tolerance;                  /* relative */
-    double accuracy;   /* the answer is to be expected within 1 + that, a factor; NaN: nothing is asked */
-    double chosen_rms; /* then, ln_rms of the model chosen; 0: none was */
-    bool one_scan;     /* what that was measured from */
+    struct scene_one_load operating; /* where summary and tables stand; none: at the middle one */
+    double tolerance;                /* relative */
+    double accuracy;                 /* the answer is to be expected within 1 + that, a factor; NaN: nothing is asked */
+    double chosen_rms;               /* then, ln_rms of the model chosen; 0: none was */
+    bool one_scan;                   /* what that was measured from */
     enum level level;
     bool level_given;    /* else of a periodic record the mean is taken out */
     double max_missing;  /* share of a profile's points that may be missing */
@@ -184,7 +178,6 @@ struct scene {
     double fit_band_m[2]; /* shortest, longest wavelength; 0, INFINITY: all. Where not given: what the filters leave */
     enum roughness_moments moments;
     enum sinusoid_fit_id closure;
-    enum scene_data data;
     char *template; /* a file of DIR that the report is filled from; NULL: the program's */
     char *baseline; /* surface name, NULL: the second smoothest */
     struct scene_convergence convergence;
@@ -263,7 +256,7 @@ const struct material_property *scene_lack(const char **body, const struct scene
 /** What a load of `kind` is divided by, to be P/(A_n E'); NaN where the nominal area or E' is not known. */
 double scene_load_divisor(const struct scene *scene, enum unit_quantity kind, const struct material_pair *pair);
 
-/** operating or unload_from as P/(A_n E') of a pair of bodies; 0: none. */
+/** operating as P/(A_n E') of a pair of bodies; 0: none. */
 double scene_load_of(const struct scene_one_load *one, const struct scene *scene, const struct material_pair *pair);
 
 /** The same in the kind of the scene's loads. */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the library asks of bodies, too, which reads no scene and so does without libyaml. */
+/* The bodies of a surface, and what they lack. */
 #include "scene/scene.h"
 
 #include <gsl/gsl_sort_double.h>

@@ -7,7 +7,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-const char *const scene_data_names[SCENE_DATA_COUNT] = {"auto", "full"};
 static const char *const closure_names[SINUSOID_FIT_COUNT] = {"thesis", "numeric"};
 static const char *const mean_free_path_names[SCENE_MEAN_FREE_PATH_COUNT] = {"thesis", "electron"};
 /* Loads, in Pa or P/(A_n E'): any that keeps its distance from the ends of double. */
@@ -228,7 +227,10 @@ static bool read_one_load(struct scene_source *source, const struct scene_key *k
     struct scene_quantity quantity;
     if (!scene_source_quantity_of(&quantity, source, key, value))
         return false;
-    *(struct scene_one_load *)field = (struct scene_one_load){quantity.value, quantity.kind};
+    struct scene_one_load *one = field;
+    *one = (struct scene_one_load){quantity.value, quantity.kind, quantity.unit, ""};
+    if (quantity.kind != UNIT_NUMBER)
+        strcpy(one->unit_text, quantity.text);
     return true;
 }
 
@@ -247,7 +249,10 @@ static bool read_convergence(struct scene_source *source, const struct scene_key
     size_t lines[SCENE_COUNT(keys)];
     struct scene_convergence *convergence = field;
     convergence->given = true;
-    return scene_source_mapping(source, value, SCENE_MAPPING(key->name, keys), lines, field);
+    if (!scene_source_mapping(source, value, SCENE_MAPPING(key->name, keys), lines, field))
+        return false;
+    convergence->load_given = lines[2] > 0;
+    return true;
 }
 
 /* How many, or which. */
@@ -421,15 +426,16 @@ const struct scene_key scene_keys[] = {
      "{from, to, points}, spaced by equal factors, or {values: [...]}, as P/(A_n E') or with a unit, in which charts "
      "and tables then stand; default: 1e-6 to 0.1, and a decade beyond operating_load, in 121 points",
      read_load, .at = AT(load), .within = SCENE_MAPPING("load", load_keys)},
-    {"operating_load", "where the first page stands; default: the middle of an area of 0.1 to 10 %", read_one_load,
-     .at = AT(operating), LOADS},
-    {"unload_from", "with the effect unloading: the largest load that the contact has seen", read_one_load,
-     .at = AT(unload_from), LOADS},
+    {"operating_load",
+     "where the first page stands; its unit is that of charts and tables where `load` has no loads; default: the "
+     "middle "
+     "of an area of 0.1 to 10 %",
+     read_one_load, .at = AT(operating), LOADS},
     {"targets", "a list of {ecr, tcr, conductance, gap, area or temperature: value}: the load that each takes",
      scene_asked_read, .at = 0},
     {"limits",
      "a mapping of such quantities, each {most: value} or {least: value}, at the operating load; `report --check` ends "
-     "with 5 where one is missed",
+     "with 5 where one is missed, with 6 where none is and one is undecided",
      scene_asked_read, .at = 0},
     {"tolerance", "relative, of every reported number; default: 1e-6", SCENE_NUMBER(AT(tolerance), 1e-14, 0.1)},
     {"accuracy",
@@ -449,10 +455,6 @@ const struct scene_key scene_keys[] = {
     {"moments", "how slopes and curvatures come about; default: difference",
      SCENE_CHOICE(AT(moments), roughness_moments_names)},
     {"closure", "area and gap of a sinusoid; default: thesis", SCENE_CHOICE(AT(closure), closure_names)},
-    {"data",
-     "spectra in data/: auto, every harmonic up to 100 surfaces and binned ones beyond, or full, every one of any "
-     "number; default: auto",
-     SCENE_CHOICE(AT(data), scene_data_names)},
     {"export",
      "programs that tables of conductance over pressure are written for, of abaqus, ansys, calculix, comsol, elmer, "
      "moose; with :mm behind it (calculix:mm) in N, mm, s, else in SI; default: none",
@@ -487,7 +489,7 @@ const struct scene_key scene_keys[] = {
     {"shape",
      "{flatness: 5 um, over: 20 mm} or {crown: radius} of parts that bulge towards each other, {height: map of one "
      "part}, {pressure: file of x, y, p or of area, p, or several, each of another load, scale: true} or {bolts: "
-     "[[10 mm, 10 mm]], torque: 2 N m, thread: M5, head: 8.5 mm, nut_factor: 0.2}, with thickness: [5 mm, 8 mm] of "
+     "[[10 mm, 10 mm]], force: 2 kN, head: 8.5 mm}, with thickness: [5 mm, 8 mm] of "
      "the parts (default: half-spaces) and size: [20 mm, 10 mm] of the nominal area (default: a square), from a corner "
      "of which places count: conductance and ECR of the whole of it; default: the parts are flat",
      scene_shape_read, .at = 0},
@@ -499,8 +501,9 @@ const struct scene_key scene_keys[] = {
      .within = SCENE_RULED("plating", plating_keys, .required = "thickness, resistivity or metal")},
     {"current", "through the contact, for its voltage and temperature; default: none",
      SCENE_QUANTITY(AT(joint.current_A), UNIT_CURRENT, 1e-12, 1e9), .needs = "nominal_area"},
-    {"convergence", "{alpha, gamma, load, scan_length, scales} of the convergence study", read_convergence,
-     .at = AT(convergence)},
+    {"convergence",
+     "{alpha, gamma, load, scan_length, scales} of the convergence study; default: effects: auto runs none",
+     read_convergence, .at = AT(convergence)},
     {"surfaces",
      "a list of {name, file, along (scans along the lay) or lay, x_unit, z_unit, column, material, "
      "counterface, hardness, measured}; default: every scan in the directory by its name, a sub-directory a surface of "

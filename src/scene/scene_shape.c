@@ -13,9 +13,8 @@
 static const double balance = 0.02;    /* between two statements of a force, or of an area */
 static const double same_place = 1e-6; /* of the range of places */
 static const double rounded = 0.1;     /* of a step */
-static const double nut_factor = 0.2;  /* of any bolt: Shigley's Mechanical Engineering Design, sec. 8-8 */
 static const double largest = 1e15;    /* of what a file may hold, in SI */
-static const double hole = 1.1;        /* over the thread: ISO 273, medium */
+static const double hole = 0.65;       /* over the head: ISO 273, medium, beneath ISO 4762, 0.62 (M3) to 0.69 (M10) */
 enum { BOLTS_MOST = 1000 };
 
 /* Fails in the line of the key. */
@@ -48,21 +47,8 @@ static bool read_bolts(struct scene_source *source, const struct scene_key *key,
     return true;
 }
 
-/* "M5". */
-static bool read_thread(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value, void *field)
-{
-    char text[16], *end = text;
-    struct scene_key word = {key->name, NULL, SCENE_SHORT_TEXT(0, sizeof text)};
-    if (!scene_source_short_text(source, &word, value, text))
-        return false;
-    double size = *text == 'M' ? strtod(text + 1, &end) : NAN;
-    *(double *)field = size * 1e-3;
-    return (size >= 1 && size <= 100 && *end == '\0') ||
-           scene_source_fail_at(source, value, "'thread' is no metric thread; give it as M5 (M1 to M100)");
-}
-
 #define AT(member) offsetof(struct scene, shape.member)
-enum { FLATNESS, CROWN, HEIGHT, PRESSURE, BOLTS, WAYS, OVER = WAYS, SIZE, THICKNESS, SCALE, TORQUE, THREAD, HEAD };
+enum { FLATNESS, CROWN, HEIGHT, PRESSURE, BOLTS, WAYS, OVER = WAYS, SIZE, THICKNESS, SCALE, FORCE, HEAD };
 bool scene_shape_read(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value, void *field)
 {
     static const struct scene_key keys[] = {
@@ -77,15 +63,12 @@ bool scene_shape_read(struct scene_source *source, const struct scene_key *key, 
         [THICKNESS] = {"thickness", NULL, scene_shape_pair, .at = offsetof(struct scene, joint.thickness_m),
                        .quantities = UNIT_DISTANCE, .least = 1e-9, .most = 1e3},
         [SCALE] = {"scale", NULL, SCENE_YES(AT(scale))},
-        [TORQUE] = {"torque", NULL, SCENE_QUANTITY(AT(torque_Nm), UNIT_TORQUE, 1e-9, 1e9)},
-        [THREAD] = {"thread", NULL, read_thread, .at = AT(thread_m)},
+        [FORCE] = {"force", NULL, SCENE_QUANTITY(AT(bolts.force_N), UNIT_FORCE, 1e-9, 1e9)},
         [HEAD] = {"head", NULL, SCENE_QUANTITY(AT(head_m), UNIT_DISTANCE, 1e-4, 1.0)},
-        {"nut_factor", NULL, SCENE_NUMBER(AT(nut_factor), 0.01, 1.0)},
     };
     struct scene_shape *shape = &source->scene->shape;
     size_t lines[SCENE_COUNT(keys)];
     int ways = 0;
-    shape->nut_factor = nut_factor;
     if (!scene_source_mapping(source, value, SCENE_MAPPING(key->name, keys), lines, field))
         return false;
     for (int way = 0; way < WAYS; way++)
@@ -101,15 +84,13 @@ bool scene_shape_read(struct scene_source *source, const struct scene_key *key, 
     if (lines[FLATNESS] > 0 && !(shape->flatness_m < shape->over_m))
         return scene_source_fail(source, lines[OVER],
                                  "'over' is %g m, less than 'flatness'; give the length it is over", shape->over_m);
-    for (int k = TORQUE; k <= HEAD; k++)
+    for (int k = FORCE; k <= HEAD; k++)
         if ((lines[k] > 0) != (lines[BOLTS] > 0))
             return scene_source_fail_at(source, value, "'%s' %s 'bolts'; %s it", keys[k].name,
                                         lines[BOLTS] ? "is missing beside" : "says nothing without",
                                         lines[BOLTS] ? "add" : "remove");
     if (lines[BOLTS] && !lines[THICKNESS])
         return scene_source_fail_at(source, value, "'thickness' is missing beside 'bolts'; add it");
-    if (lines[BOLTS] && !(shape->head_m > hole * shape->thread_m))
-        return scene_source_fail(source, lines[HEAD], "'head' is %g m, no wider than its hole", shape->head_m);
     if (lines[HEIGHT] && shape->files.count > 1)
         return scene_source_fail(source, lines[HEIGHT], "'height' is one map, not %zu", shape->files.count);
     return lines[SCALE] == 0 || lines[BOLTS] || lines[PRESSURE] ||
@@ -363,7 +344,7 @@ static bool hold_load(struct scene *scene, struct scene_source *source)
     if (count > 1 || scene->shape.scale || pair.unknown)
         return true;
     if (scene->operating.load == 0) {
-        scene->operating = (struct scene_one_load){fields[0].mean, UNIT_PRESSURE};
+        scene->operating = (struct scene_one_load){.load = fields[0].mean, .kind = UNIT_PRESSURE};
         return true;
     }
     double asked_Pa = scene_load_of(&scene->operating, scene, &pair) * pair.effective_modulus_Pa;
@@ -411,8 +392,7 @@ bool scene_shape_complete(struct scene *scene, struct scene_source *source)
             return false;
     if (bolts->count > 0) {
         struct status problem = {0};
-        bolts->force_N = shape->torque_Nm / (shape->nut_factor * shape->thread_m);
-        bolts->hole_m = hole * shape->thread_m / 2;
+        bolts->hole_m = hole * shape->head_m / 2;
         bolts->reach_m = shape->head_m / 2 + fmin(joint->thickness_m[0], joint->thickness_m[1]);
         joint->field_count = 1;
         if (!check_bolts(source, bolts, joint->size_m))

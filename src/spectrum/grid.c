@@ -42,11 +42,15 @@ enum status_code grid_add(struct spectrum *sum, const struct spectrum *other, st
     return STATUS_OK;
 }
 
-enum status_code grid_average(struct spectrum *mean, const struct spectrum *other, size_t so_far, struct status *status)
+/** One of the two ways to average spectra of the same harmonics. */
+typedef void average_of(struct spectrum *mean, const struct spectrum *other, size_t so_far);
+
+static enum status_code average(struct spectrum *mean, const struct spectrum *other, size_t so_far, average_of *take,
+                                struct status *status)
 {
     if (other->count == mean->count && other->has_nyquist == mean->has_nyquist &&
         fabs(other->length_m / mean->length_m - 1) < 1e-6) {
-        spectrum_average(mean, other, so_far);
+        take(mean, other, so_far);
         return STATUS_OK;
     }
     struct spectrum same;
@@ -59,7 +63,18 @@ enum status_code grid_average(struct spectrum *mean, const struct spectrum *othe
     *mean = same;
     if (grid_spectrum(&same, other, length_m, count, status) != STATUS_OK)
         return status->code;
-    spectrum_average(mean, &same, so_far);
+    take(mean, &same, so_far);
     spectrum_free(&same);
     return STATUS_OK;
+}
+
+enum status_code grid_average(struct spectrum *mean, const struct spectrum *other, size_t so_far, struct status *status)
+{
+    return average(mean, other, so_far, spectrum_average, status);
+}
+
+enum status_code grid_average_logs(struct spectrum *mean, const struct spectrum *other, size_t so_far,
+                                   struct status *status)
+{
+    return average(mean, other, so_far, spectrum_average_logs, status);
 }

@@ -150,9 +150,40 @@ struct power_law power_law_fit(const struct spectrum *spectrum, const double ban
     return law;
 }
 
-struct power_law power_law_of_band(const struct power_law_band *band)
+/** What standard errors grow by where neighbours' residuals are alike, as a window makes them: sqrt(1 + 2 r), r their
+ * correlation. */
+static double neighbours_factor(const struct spectrum *spectrum, const struct power_law *law)
+{
+    double before = NAN, squares = 0, products = 0;
+    for (size_t i = 0; i < spectrum->count; i++) {
+        if (!in_band(spectrum, i, law->band_m))
+            continue;
+        double r = log10(spectrum->amplitude_m[i] / power_law_amplitude(law, wavelength(spectrum, i)));
+        squares += r * r;
+        products += isnan(before) ? 0 : r * before;
+        before = r;
+    }
+    return sqrt(1 + 2 * fmax(0, squares > 0 ? products / squares : 0));
+}
+
+static struct power_law scattered_law(const struct spectrum *spectrum, const double band_m[2])
+{
+    struct power_law law = power_law_fit(spectrum, band_m);
+    if (law.found == POWER_LAW_BAND_NONE)
+        return law;
+    double factor = neighbours_factor(spectrum, &law);
+    law.found = POWER_LAW_BAND_SCATTERED;
+    law.gamma_error *= factor;
+    law.amplitude_error_decades *= factor;
+    law.knee_m = law.gamma_below = law.gamma_above = NAN;
+    return law;
+}
+
+struct power_law power_law_of_band(const struct power_law_band *band, const struct spectrum *spectrum)
 {
     struct power_law law = no_law(band->fit.band_m);
+    if (band->law == POWER_LAW_BAND_SCATTERED)
+        return scattered_law(spectrum, band->fit.band_m);
     if (band->law == POWER_LAW_BAND_NONE || !isnormal(band->alpha)) /* a steep law through a record of 1e-20 m */
         return law;
     law.found = band->law;

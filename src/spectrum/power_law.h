@@ -23,11 +23,12 @@ struct power_law {
     double amplitude_m;             /* of the law at wavelength_m, the band's middle; auto: rms amplitude */
     double amplitude_error_decades; /* standard error of its log10 */
     double wavelength_m;
-    double psd_m3;                   /* amplitude² L/2: does not depend on the length of the scan */
-    double misfit_decades;           /* auto: lack of fit beyond a Gaussian surface's scatter; thesis: RMS residual */
-    double band_m[2];                /* shortest and longest wavelength used */
-    size_t harmonics;                /* thesis: how many were used */
-    double knee_m;                   /* wavelength at which two slopes fit clearly better than one; NaN: one will do */
+    double psd_m3; /* amplitude² L/2: does not depend on the length of the scan */
+    double
+        misfit_decades; /* auto: lack of fit beyond a Gaussian surface's scatter; thesis, and scattered: RMS residual */
+    double band_m[2];   /* shortest and longest wavelength used */
+    size_t harmonics;   /* thesis: how many were used */
+    double knee_m;      /* wavelength at which two slopes fit clearly better than one; NaN: one will do */
     double gamma_below, gamma_above; /* slopes on the short and the long side of the knee */
 };
 
@@ -35,10 +36,11 @@ struct power_law {
  * Fewer than 3 harmonics in the band, or an alpha beyond the range of double: every number NaN. */
 struct power_law power_law_fit(const struct spectrum *spectrum, const double band_m[2]);
 
-/** The law of a band that was found; of none: every number NaN. */
-struct power_law power_law_of_band(const struct power_law_band *band);
+/** The law of a band that was found; of none: every number NaN. Of a scattered one (4.53) in that band of `spectrum`,
+ * the amplitudes that contact models have, with errors from the scatter seen. */
+struct power_law power_law_of_band(const struct power_law_band *band, const struct spectrum *spectrum);
 
-/** May it be carried on, ranked, and put at the head of a report? Not one of under a decade. */
+/** May it be carried on, ranked, and put at the head of a report? Not one of under a decade, nor a scattered one. */
 bool power_law_holds(const struct power_law *law);
 
 /** Amplitude of the law at a wavelength [m] (4.53). */

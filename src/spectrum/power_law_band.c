@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-const char *const power_law_band_class_names[] = {"no power law found", "narrow", "law"};
+const char *const power_law_band_class_names[] = {"no power law found", "scattered", "narrow", "law"};
 
 static const double one_law_square = 0.05 * 0.05; /* decades²; one power law: long scans do not split on less */
 static const double piece_penalty = 4;            /* ln J each */
@@ -24,12 +24,16 @@ static const double line_decades = 0.2, line_valley_decades = 0.3;
 static const double line_level = 0.02;      /* of files without lines, so many may have one */
 static const double line_side_level = 0.05; /* of bins beside a cut-off */
 static const double line_scatter = 2;       /* variance of log-normal amplitudes' bins over that of Gaussian heights' */
+static const double most_gamma_s = 0.35;    /* a narrow law of a larger one says less than a scattered line */
+static const double scattered_variance =
+    7.5; /* of bins of amplitudes that scatter by 0.4 decades, over Gaussian ones' */
 static const double knee_gamma_s = 0.04, knee_amplitude_s_decades = 0.02;
 enum { PIECE_BINS = 3, CANDIDATE_BINS = 4, KNEE_BINS = 2, LINE_RUN = 3 };
 
 /** Bins that take part, by their numbers, from long to short waves. */
 struct selection {
     const struct log_bin *all;
+    double scatter; /* variance of a bin over that of a Gaussian surface's */
     size_t count;
     size_t index[LOG_BIN_MOST];
 };
@@ -41,7 +45,7 @@ static const struct log_bin *bin_at(const struct selection *selection, size_t i)
 
 static struct selection part_of(const struct selection *selection, size_t first, size_t count)
 {
-    struct selection part = {.all = selection->all, .count = count};
+    struct selection part = {.all = selection->all, .scatter = selection->scatter, .count = count};
     memcpy(part.index, selection->index + first, count * sizeof *part.index);
     return part;
 }
@@ -59,7 +63,7 @@ static struct line line_through(const struct selection *selection, size_t first,
     double x = 0, y = 0, xy = 0;
     for (size_t i = first; i <= last; i++) {
         const struct log_bin *bin = bin_at(selection, i);
-        double w = 1 / (bin->variance + misfit_square);
+        double w = 1 / (selection->scatter * bin->variance + misfit_square);
         line.weight += w;
         x += w * bin->x;
         y += w * bin->y;
@@ -68,14 +72,14 @@ static struct line line_through(const struct selection *selection, size_t first,
     line.y_mean = y / line.weight;
     for (size_t i = first; i <= last; i++) {
         const struct log_bin *bin = bin_at(selection, i);
-        double w = 1 / (bin->variance + misfit_square), dx = bin->x - line.x_mean;
+        double w = 1 / (selection->scatter * bin->variance + misfit_square), dx = bin->x - line.x_mean;
         line.x_spread += w * dx * dx;
         xy += w * dx * (bin->y - line.y_mean);
     }
     line.slope = xy / line.x_spread;
     for (size_t i = first; i <= last; i++) {
         const struct log_bin *bin = bin_at(selection, i);
-        double w = 1 / (bin->variance + misfit_square);
+        double w = 1 / (selection->scatter * bin->variance + misfit_square);
         double r = bin->y - line.y_mean - line.slope * (bin->x - line.x_mean);
         line.residual += w * r * r;
         line.derivative += w * w * r * r;
@@ -101,14 +105,15 @@ static double misfit_square_of(const struct selection *selection)
     return square;
 }
 
-/** f'(Sigma + tau² I) f */
+/** f'(scatter Sigma + tau² I) f */
 static double variance_of(const double *factor, const struct selection *selection, double scans, double misfit_square)
 {
     double sum = 0;
     for (size_t i = 0; i < selection->count; i++) {
-        sum += factor[i] * factor[i] * (bin_at(selection, i)->variance + misfit_square);
+        sum += factor[i] * factor[i] * (selection->scatter * bin_at(selection, i)->variance + misfit_square);
         for (size_t j = 0; j < i; j++)
-            sum += 2 * factor[i] * factor[j] * log_bin_covariance(bin_at(selection, i), bin_at(selection, j), scans);
+            sum += 2 * factor[i] * factor[j] * selection->scatter *
+                   log_bin_covariance(bin_at(selection, i), bin_at(selection, j), scans);
     }
     return sum;
 }
@@ -123,7 +128,7 @@ static struct power_law_band_fit fit_of(const struct selection *selection, doubl
     double slope_factor[LOG_BIN_MOST], amplitude_factor[LOG_BIN_MOST], slope_square = 0, amplitude_square = 0;
     for (size_t i = 0; i < selection->count; i++) {
         const struct log_bin *bin = bin_at(selection, i);
-        double w = 1 / (bin->variance + misfit_square);
+        double w = 1 / (selection->scatter * bin->variance + misfit_square);
         slope_factor[i] = w * (bin->x - line.x_mean) / line.x_spread;
         amplitude_factor[i] = w / line.weight + slope_factor[i] * (middle - line.x_mean);
         slope_square += slope_factor[i] * slope_factor[i];
@@ -237,7 +242,7 @@ static void mark_lines(struct power_law_band *band, const bool out[LOG_BIN_MOST]
 
 static struct selection bins_outside(const struct power_law_band *band)
 {
-    struct selection selection = {.all = band->bin};
+    struct selection selection = {.all = band->bin, .scatter = 1};
     for (size_t j = 0; j < band->bins; j++)
         if (band->use[j] == POWER_LAW_BAND_OUTSIDE)
             selection.index[selection.count++] = j;
@@ -370,6 +375,8 @@ static void conclude(struct power_law_band *band, const struct power_law_band_fi
     band->psd_m3 = band->amplitude_m * band->amplitude_m * spectrum->length_m / 2;
     band->alpha = pow(10, fit->log10_amplitude - fit->gamma * log10(fit->wavelength_m));
     band->slope_share = slope_share(spectrum, fit);
+    for (size_t j = 0; j < band->bins; j++) /* of a narrow law that gave way */
+        band->use[j] = band->use[j] == POWER_LAW_BAND_USED ? POWER_LAW_BAND_OUTSIDE : band->use[j];
     for (size_t i = 0; i < used->count; i++)
         band->use[used->index[i]] = POWER_LAW_BAND_USED;
 }
@@ -381,15 +388,17 @@ struct candidate {
     double width_decades;
 };
 
-/** Shortens piece k at its knees by 2, 1 or no bins, the most that leaves enough. A steep one has a knee at its long
- * end whatever there is. */
+/** Shortens piece k at its knees by 2, 1 or no bins, the most that leaves enough; where the bins scatter, by 1. A steep
+ * one that does not has a knee at its long end whatever there is. */
 static bool candidate_of(struct candidate *out, const struct selection *selection, const struct pieces *pieces,
                          size_t k)
 {
+    bool scattered = selection->scatter > 1;
     bool steep =
+        !scattered &&
         line_through(selection, pieces->first[k], pieces->first[k + 1] - 1, one_law_square).slope > steep_gamma;
     *out = (struct candidate){.knee = {k > 0 || steep, k + 1 < pieces->count}};
-    for (size_t trim = KNEE_BINS + 1; trim-- > 0;) {
+    for (size_t trim = scattered ? 2 : KNEE_BINS + 1; trim-- > 0;) {
         size_t first = pieces->first[k] + (out->knee[0] ? trim : 0), end = pieces->first[k + 1];
         end -= out->knee[1] ? trim : 0;
         if (end < first + CANDIDATE_BINS)
@@ -455,33 +464,60 @@ static void describe_pieces(struct power_law_band *band, const struct selection 
     }
 }
 
+/** The widest candidate that is one law, as selection->scatter has it; where that is more than 1, as a scattered one.
+ */
+static enum status_code look(struct power_law_band *out, const struct selection *selection,
+                             const struct power_law_band_spectrum *spectrum, struct status *status)
+{
+    struct pieces pieces;
+    struct candidate candidate[POWER_LAW_BAND_PIECES] = {0};
+    size_t candidates = 0;
+    bool scattered = selection->scatter > 1;
+    if (divide(&pieces, selection, status) != STATUS_OK)
+        return status->code;
+    if (!scattered)
+        describe_pieces(out, selection, &pieces, spectrum->length_m);
+    for (size_t k = 0; k < pieces.count; k++)
+        candidates += candidate_of(&candidate[candidates], selection, &pieces, k);
+    qsort(candidate, candidates, sizeof *candidate, wider_first);
+    for (size_t c = 0; c < candidates; c++) {
+        struct selection used = part_of(selection, candidate[c].first, candidate[c].last - candidate[c].first + 1);
+        if (scattered) { /* in place of a narrow law, one of the same wavelengths */
+            double middle = log10(out->fit.wavelength_m);
+            if (middle < bin_at(&used, used.count - 1)->x || middle > bin_at(&used, 0)->x)
+                continue;
+            used.scatter = 1;
+            used.scatter = fmax(1, line_through(&used, 0, used.count - 1, 0).residual / (double)(used.count - 2));
+        }
+        struct power_law_band_fit fit = fit_of(&used, spectrum->length_m, spectrum->scans);
+        if (!scattered && fit.misfit_decades > most_misfit_decades)
+            continue;
+        if (!scattered)
+            add_knee_errors(&fit, selection, &candidate[c], spectrum);
+        conclude(out, &fit, &used, spectrum);
+        if (scattered)
+            out->law = POWER_LAW_BAND_SCATTERED;
+        if (scattered && used.index[0] == 0) /* no knee: as long as the scan */
+            out->fit.band_m[1] = spectrum->length_m;
+        break;
+    }
+    return STATUS_OK;
+}
+
 enum status_code power_law_band_find(struct power_law_band *out, const struct power_law_band_spectrum *spectrum,
                                      struct status *status)
 {
-    struct selection selection;
-    struct pieces pieces = {0};
+    struct selection selection = {.all = NULL};
     if (gather(out, &selection, spectrum, NULL, status) != STATUS_OK)
         return status->code;
     if (selection.count < (size_t)2 * PIECE_BINS)
         return STATUS_OK;
-    if (divide(&pieces, &selection, status) != STATUS_OK)
+    if (look(out, &selection, spectrum, status) != STATUS_OK)
         return status->code;
-    describe_pieces(out, &selection, &pieces, spectrum->length_m);
-    struct candidate candidate[POWER_LAW_BAND_PIECES] = {0};
-    size_t candidates = 0;
-    for (size_t k = 0; k < pieces.count; k++)
-        candidates += candidate_of(&candidate[candidates], &selection, &pieces, k);
-    qsort(candidate, candidates, sizeof *candidate, wider_first);
-    for (size_t c = 0; c < candidates; c++) {
-        struct selection used = part_of(&selection, candidate[c].first, candidate[c].last - candidate[c].first + 1);
-        struct power_law_band_fit fit = fit_of(&used, spectrum->length_m, spectrum->scans);
-        if (fit.misfit_decades > most_misfit_decades)
-            continue;
-        add_knee_errors(&fit, &selection, &candidate[c], spectrum);
-        conclude(out, &fit, &used, spectrum);
-        break;
-    }
-    return STATUS_OK;
+    if (out->law == POWER_LAW_BAND_LAW || out->fit.gamma_s <= most_gamma_s)
+        return STATUS_OK;
+    selection.scatter = scattered_variance;
+    return look(out, &selection, spectrum, status);
 }
 
 enum status_code power_law_band_fit_in(struct power_law_band *out, const struct power_law_band_spectrum *spectrum,
@@ -493,10 +529,10 @@ enum status_code power_law_band_fit_in(struct power_law_band *out, const struct 
     double first = ceil(fmin(spectrum->length_m / band_m[1] * (1 - rounding), most + 1));
     double last = floor(fmin(spectrum->length_m / band_m[0] * (1 + rounding), most));
     size_t split[2] = {first > 1 ? (size_t)first : 1, (size_t)last};
-    struct selection selection;
+    struct selection selection = {.all = NULL};
     if (gather(out, &selection, spectrum, split, status) != STATUS_OK)
         return status->code;
-    struct selection used = {.all = selection.all};
+    struct selection used = {.all = selection.all, .scatter = 1};
     for (size_t i = 0; i < selection.count; i++)
         if (bin_at(&selection, i)->first >= split[0] && bin_at(&selection, i)->last <= split[1])
             used.index[used.count++] = selection.index[i];

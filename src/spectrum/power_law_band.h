@@ -10,14 +10,15 @@
 
 enum { POWER_LAW_BAND_PIECES = 6 };
 
-/** How much of a law it is. A narrow one belongs in no headline, ranking or convergence study. */
+/** How much of a law it is. A narrow or scattered one belongs in no headline, ranking or convergence study. */
 enum power_law_band_class {
-    POWER_LAW_BAND_NONE,   /* no power law found */
-    POWER_LAW_BAND_NARROW, /* under a decade of wavelength */
+    POWER_LAW_BAND_NONE,      /* no power law found */
+    POWER_LAW_BAND_SCATTERED, /* a line through amplitudes that scatter more than a Gaussian surface's */
+    POWER_LAW_BAND_NARROW,    /* under a decade of wavelength */
     POWER_LAW_BAND_LAW
 };
 
-/** "no power law found", "narrow", "law" */
+/** "no power law found", "scattered", "narrow", "law" */
 extern const char *const power_law_band_class_names[];
 
 /** What became of a bin. */
@@ -91,6 +92,10 @@ struct power_law_band {
  * 6. The fit: w = 1/(v + tau²), tau² >= 0 such that sum w r² = n - 2 (Mandel & Paule 1970, doi:10.1021/ac60293a019);
  *    s² = a'(Sigma + tau² I)a for the estimate a'y. A knee adds, in quadrature, what 2 bins more off that end change,
  *    and once 0.04 (gamma) and 0.02 decades (amplitude). More scans lessen neither that nor tau² a'a.
+ * 7. Where that leaves none, or a narrow one whose gamma has an error above 0.35: steps 3 to 5 once more with 7.5 v in
+ *    place of v, 1 bin off at knees and any tau. The widest candidate that holds the narrow one's middle is SCATTERED:
+ *    its band reaches to L where no knee ends it, and s² = a'(phi Sigma)a, phi = sum r²/(v (n - 2)), 1 at least.
+ *    power_law_of_band() puts the line of the single harmonics there.
  * Class NONE, and no error, when nothing is found. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code power_law_band_find(struct power_law_band *out,
                                                 const struct power_law_band_spectrum *spectrum, struct status *status);

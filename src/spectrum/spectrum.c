@@ -69,6 +69,14 @@ void spectrum_average(struct spectrum *mean, const struct spectrum *other, size_
     }
 }
 
+void spectrum_average_logs(struct spectrum *mean, const struct spectrum *other, size_t so_far)
+{
+    assert(other->count == mean->count && other->has_nyquist == mean->has_nyquist);
+    for (size_t i = 0; i < mean->count; i++)
+        if (mean->amplitude_m[i] > 0)
+            mean->amplitude_m[i] *= pow(other->amplitude_m[i] / mean->amplitude_m[i], 1 / (double)(so_far + 1));
+}
+
 enum status_code spectrum_add_record(struct spectrum *mean, size_t so_far, const double *height_m, size_t points,
                                      double spacing_m, struct status *status)
 {

@@ -42,7 +42,10 @@ MUST_CHECK enum status_code spectrum_of_record(struct spectrum *out, struct fft_
 /** Adds another scan's spectrum to a mean over scans of the same harmonics: powers averaged harmonic by harmonic.
  * `so_far` is how many scans `mean` holds. */
 void spectrum_average(struct spectrum *mean, const struct spectrum *other, size_t so_far);
-/** The same of a record as long as the others; the first one makes the mean. No window. Error: STATUS_MEMORY. */
+/** The same with geometric means of amplitudes; a harmonic that one of them lacks has none. */
+void spectrum_average_logs(struct spectrum *mean, const struct spectrum *other, size_t so_far);
+/** spectrum_average() of a record as long as the others; the first one makes the mean. No window. Error: STATUS_MEMORY.
+ */
 MUST_CHECK enum status_code spectrum_add_record(struct spectrum *mean, size_t so_far, const double *height_m,
                                                 size_t points, double spacing_m, struct status *status);
 
@@ -93,5 +96,8 @@ MUST_CHECK enum status_code grid_add(struct spectrum *sum, const struct spectrum
  * the shorter record and of the lower Nyquist frequency first. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code grid_average(struct spectrum *mean, const struct spectrum *other, size_t so_far,
                                          struct status *status);
+/** The same with geometric means of amplitudes. */
+MUST_CHECK enum status_code grid_average_logs(struct spectrum *mean, const struct spectrum *other, size_t so_far,
+                                              struct status *status);
 
 #endif

@@ -69,6 +69,77 @@ TEST_IN_WORKSPACE(a_missed_limit_ends_with_5)
     run_scene(place, 1, SCENE "limits: {area: {least: 1e-9}}\n", "--check");
 }
 
+/* Of one scan the interval of ECR is wide: a limit in it is undecided (6), one above it met (0), one below it missed
+ * (5, also beside an undecided one). data/limits.csv, results.json and the first page have one word for each. */
+TEST_IN_WORKSPACE(an_undecided_limit_ends_with_6)
+{
+    static const struct {
+        double least, most;
+        int status;
+        const char *verdicts[2];
+    } cases[] = {{0, 1, 6, {NULL, "undecided"}},
+                 {0, 10, 0, {NULL, "met"}},
+                 {0, 0.1, 5, {NULL, "missed"}},
+                 {0.1, 1.2, 6, {"met", "undecided"}},
+                 {10, 1.2, 5, {"missed", "undecided"}}};
+    workspace_scan(place, "in/a.csv", 300, 1);
+    run_scene(place, 0, SCENE "operating_load: 10 N\nlimits: {ecr: {most: 1 mohm}}\n", NULL);
+    struct table table = workspace_table(place, "out/data/limits.csv");
+    const double ohm = table_number(&table, 0, "value") / 1e-6;
+    for (size_t c = 0; c < sizeof cases / sizeof *cases; c++) {
+        struct text *limit = support_text();
+        if (cases[c].least > 0)
+            text_add(limit, "least: %.9g ohm, ", cases[c].least * ohm);
+        struct process run = run_scene(
+            place, cases[c].status,
+            filled(SCENE "operating_load: 10 N\nlimits: {ecr: {%smost: %.9g ohm}, conductance: {least: 1 W/m2/K}}\n",
+                   text_string(limit), cases[c].most * ohm),
+            "--check");
+        table = workspace_table(place, "out/data/limits.csv");
+        size_t row = cases[c].least > 0;
+        for (size_t i = 0; i <= row; i++) { /* least, then most; the numbers are per area */
+            const char *verdict = cases[c].verdicts[row ? i : 1];
+            bool is_most = i == row;
+            assert_string_equal(table_text(&table, i, "surface"), "a");
+            assert_string_equal(table_text(&table, i, "quantity"), "ecr_ohm_m2");
+            assert_string_equal(table_text(&table, i, "verdict"), verdict);
+            assert_string_equal(table_text(&table, i, is_most ? "least" : "most"), "");
+            assert_near(table_number(&table, i, is_most ? "most" : "least"),
+                        1e-6 * ohm * (is_most ? cases[c].most : cases[c].least), 1e-8);
+            assert_near(table_number(&table, i, "value"), 1e-6 * ohm, 1e-12);
+            assert_true(table_number(&table, i, "low") > 0.1 * 1e-6 * ohm &&
+                        table_number(&table, i, "low") < 1e-6 * ohm);
+            assert_true(table_number(&table, i, "high") < 10 * 1e-6 * ohm &&
+                        table_number(&table, i, "high") > 1.2 * 1e-6 * ohm);
+            json_t *json = json_array_get(json_object_get(workspace_json(place, "out/results.json"), "limits"), i);
+            assert_string_equal(json_string_value(json_object_get(json, "verdict")), verdict);
+            expect_in_file(place, "out/report.md", verdict);
+        }
+        assert_string_equal(table_text(&table, row + 1, "quantity"), "tcr_K_m2_per_W"); /* at least so much conducts */
+        assert_near(table_number(&table, row + 1, "most"), 1, 1e-12);
+        assert_string_equal(table_text(&table, row + 1, "verdict"), "met");
+        const char *said = "surface 'a' leaves undecided the limit ECR ≤ ";
+        if (strcmp(cases[c].verdicts[1], "undecided") == 0)
+            expect_parts(run.err, said, " (95 % ");
+        else
+            expect_no_part(run.err, "undecided");
+    }
+}
+
+/* A load above the hardness: there is no value, which is not met. */
+TEST_IN_WORKSPACE(a_limit_without_a_value_is_not_met)
+{
+    workspace_scan(place, "in/a.csv", 300, 1);
+    struct process run = run_scene(place, 6,
+                                   "material: tin\nmodels: [corrected-persson]\nhardness: 1 MPa\nload: {from: 1e-7, "
+                                   "to: 1e-2, points: 9}\noperating_load: 1e-3\nlimits: {gap: {most: 1e-9}}\n",
+                                   "--check");
+    struct table table = workspace_table(place, "out/data/limits.csv");
+    assert_string_equal(table_text(&table, 0, "verdict"), "no value");
+    assert_string_equal(table_text(&table, 0, "value"), "");
+    expect_part(run.err, "surface 'a' leaves undecided the limit gap ≤ 1e-09 m: no value\n");
+}
+
 TEST_IN_WORKSPACE(a_check_of_nothing_is_refused)
 {
     scans(place);

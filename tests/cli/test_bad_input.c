@@ -119,6 +119,62 @@ TEST_IN_WORKSPACE(test_without_gnuplot)
     expect_digest(place, ".", before);
 }
 
+/* A gnuplot that reads all and draws nothing is blamed by name, with what to do. */
+TEST_IN_WORKSPACE(test_gnuplot_that_draws_nothing)
+{
+    workspace_scan(place, "d/a.csv", 200, 1);
+    char *path = workspace_program(place, "gnuplot", "#!/bin/sh\ncat > /dev/null\n");
+    expect_failure(place, 4, 1, "gnuplot did not draw 'answer.svg'", "report", "d", "--no-cost");
+    assert_int_equal(setenv("PATH", path, 1), 0);
+    assert_false(workspace_has(place, "out"));
+    run_to_exit(place, 0, "report", "d", "--no-cost");
+}
+
+/* `-` is no folder of a report; a scan goes to standard output. */
+TEST_IN_WORKSPACE(test_output_to_a_dash)
+{
+    workspace_scan(place, "d/a.csv", 200, 1);
+    struct process process = process_run(place, "report", "d", "-o", "-");
+    assert_int_equal(process.status, 2);
+    expect_part(process.err, "-o takes the folder of the report, not '-'");
+    run_to_exit(place, 0, "report", "d", "-o", "./-", "--no-cost"); /* a folder of that name */
+    process = expect_exit(place, 0, "synth", "-o", "-");
+    expect_part(process.out, "x [um],z [um]\n");
+}
+
+static size_t lines_of(const char *text)
+{
+    size_t lines = 0;
+    for (; *text; text++)
+        lines += *text == '\n';
+    return lines;
+}
+
+/* Ten refusals are said, more are counted; of ten none is. */
+TEST_IN_WORKSPACE(test_many_empty_files)
+{
+    for (int i = 0; i < 31; i++) {
+        workspace_write(place, lasting("many/%d.csv", i), "");
+        workspace_write(place, lasting("one/s/%d.csv", i), "");
+        if (i < 10)
+            workspace_write(place, lasting("ten/%d.csv", i), "");
+    }
+    workspace_scan(place, "one/s/good.csv", 200, 1);
+    struct process process = expect_exit(place, 4, "report", "many");
+    assert_int_equal(lines_of(process.err), 12); /* and that there is no report */
+    expect_part(process.err, "and 21 more refused");
+    process = expect_exit(place, 1, "report", "one", "--no-cost");
+    expect_part(process.err, "and 21 more refused");
+    process = expect_exit(place, 4, "report", "ten");
+    assert_int_equal(lines_of(process.err), 11);
+    expect_no_part(process.err, "more refused");
+    process = expect_exit(place, 4, "inspect", "many");
+    assert_int_equal(lines_of(process.err), 11);
+    expect_part(process.err, "and 21 more scans refused; --json names all");
+    process = expect_exit(place, 4, "inspect", "ten");
+    assert_int_equal(lines_of(process.err), 10);
+}
+
 TEST_IN_WORKSPACE(test_one_bad_scan_stops_no_other)
 {
     workspace_scan(place, "d/a.csv", 200, 1);

@@ -184,7 +184,7 @@ TEST_IN_WORKSPACE(test_report)
     static const char *const names[] = {"a", "b"};
     for (size_t i = 0; i < 2; i++) {
         const json_t *missed = find(json_object_get(json, "missed_limits"), "surface", names[i]);
-        assert_string_equal(text_of(missed, "verdict"), "misses");
+        assert_string_equal(text_of(missed, "verdict"), "missed");
         assert_string_equal(text_of(missed, "limit"), "ecr most 1e-12 mohm");
     }
     assert_true(json_equal(json_object_get(json, "refused"), json_object_get(results, "refused")));
@@ -231,17 +231,4 @@ TEST_IN_WORKSPACE(test_failures)
     expect_part(text_of(json, "error"), "--check: the scene has no 'limits' to check");
     expect_failure(place, 2, 3, "--show draws where --json prints", "report", "bad", "--json", "--show");
     assert_false(workspace_has(place, "out"));
-}
-
-/** From anywhere, of the program alone, writing nothing. */
-TEST_IN_WORKSPACE(test_self_test)
-{
-    char *before = workspace_digest(place, ".");
-    struct process text = expect_exit(place, 0, "self-test"), verbose = expect_exit(place, 0, "self-test", "--verbose");
-    expect_digest(place, ".", before);
-    expect_part(text.out, "\nmodels        ");
-    expect_part(text.out, " numbers: this build computes correctly here\n");
-    expect_part(verbose.out, "\n  strip                contact points ");
-    expect_no_part(verbose.out, "WRONG");
-    expect_failure(place, 2, 3, "roughcontact self-test: Too many arguments", "self-test", "x");
 }

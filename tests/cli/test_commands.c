@@ -21,7 +21,7 @@ TEST_IN_WORKSPACE(test_help)
             process.out,
             "Exit status:\n0 done; 1 report written but some scan was refused; 2 usage;\n"
             "3 scene invalid; 4 nothing could be reported, or not on standard output; 5 report --check: a limit "
-            "is missed.\n");
+            "is missed;\n6 report --check: no limit is missed, but one is undecided.\n");
         assert_string_equal(process.err, "");
     }
     for (size_t c = 0; c < COMMANDS; c++) {
@@ -57,8 +57,8 @@ TEST_IN_WORKSPACE(test_usage)
 {
     expect_failure(place, 2, 1, "unknown command 'reprot'; did you mean 'report'?", "reprot", "d");
     expect_failure(place, 2, 1,
-                   "unknown command '--bogus'; allowed: report, direct, plan, init, inspect, compare, view, synth, "
-                   "models, materials, self-test",
+                   "unknown command '--bogus'; allowed: report, direct, plan, init, inspect, compare, synth, "
+                   "models, materials",
                    "--bogus");
     expect_failure(place, 2, 1, "unknown command 'a?b'",
                    "a\x1b"

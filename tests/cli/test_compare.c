@@ -224,6 +224,113 @@ TEST_IN_WORKSPACE(ten_folders_of_one_surface_are_not_ranked_apart)
     at(view, "ranking.untested", "1");
 }
 
+/** A report of one surface 's' whose leading model is called so. */
+static void make_led(const char *place, const char *out, const char *leading, double factor)
+{
+    make_results(place, out, "s", factor, KNOWN("0.1", "20"));
+    workspace_shell(place, filled("sed -i 's/\"m\"/\"%s\"/g' %s/results.json", leading, out));
+}
+
+/* A strip with hardness is held against the elastic one of a report without a hardness: each page's own numbers. Of
+ * another model's report there are no numbers, which is said. */
+TEST_IN_WORKSPACE(each_report_speaks_by_its_leading_model)
+{
+    make_led(place, "hard", "strip-plastic", 1);
+    make_led(place, "elastic", "strip", 2);
+    make_led(place, "gw", "gw", 3);
+    json_t *view = compare(place, "hard", "elastic", "each report by the model");
+    assert_near(at(view, "surfaces.0.numbers.0.lines.1.ratio", NULL), 2, 1e-12);
+    at(view, LINE(1, "shown.ratio"), "\"2.00\""); /* of the worse to the best */
+    at(view, LINE(0, "shown.ratio"), "\"1.00\"");
+    at(view, "reports.0.label", "\"strip transfer with hardness\"");
+    at(view, "models.1.label", "\"strip transfer\"");
+    at(view, "without.0", "");
+    struct process three = expect_exit(place, 0, "compare", "elastic", "gw", "hard");
+    expect_part(three.out, "No number, hence not ranked: s of report 2.\n");
+    view = process_json(expect_exit(place, 0, "compare", "elastic", "gw", "hard", "--json"));
+    at(view, "ranking.lines.2", "");
+    at(view, LINE(1, "report"), "1");
+    expect_failure(place, 4, 1, "nothing to compare: no two surfaces have a number of 'gw'", "compare", "gw", "hard");
+    make_led(place, "elastic", "strip-plastic", 2);
+    struct process same = expect_exit(place, 0, "compare", "hard", "elastic");
+    expect_part(same.out, "By strip transfer with hardness. Welch");
+    expect_no_parts(same.out, "that leads it", "No number", "strip-plastic");
+}
+
+/* Of two reports what differs comes first, of more the ranking. */
+TEST_IN_WORKSPACE(the_ranking_comes_first_of_more_than_two)
+{
+    make_led(place, "a", "strip", 1);
+    make_led(place, "b", "strip", 2);
+    make_led(place, "c", "strip", 3);
+    const char *two = expect_exit(place, 0, "compare", "a", "b").out,
+               *three = expect_exit(place, 0, "compare", "a", "b", "c", "--markdown").out;
+    expect_parts(two, "Reports compared\n", "\nSide by side\n", "\nAll surfaces, the best first\n");
+    assert_null(strchr(two, '#'));
+    assert_true(strstr(two, "Side by side") < strstr(two, "All surfaces"));
+    expect_parts(three, "# Reports compared\n", "\n## Side by side\n", "\n## All surfaces, the best first\n");
+    assert_true(strstr(three, "Side by side") > strstr(three, "All surfaces"));
+}
+
+/** Sets keys of a report's scene. */
+static void set_scene(const char *place, const char *out, const char *keys)
+{
+    workspace_shell(place, filled("sed -i 's|\"tolerance\": 1e-6|%s|' %s/results.json", keys, out));
+}
+
+/* Numbers whose errors overlap are the same, and so are inputs that differ in the eleventh digit. */
+TEST_IN_WORKSPACE(rounding_is_no_difference)
+{
+    static const struct {
+        double apart;
+        const char *tolerance;
+        bool same;
+    } cases[] = {{1.5e-6, "1e-6", true}, {3e-6, "1e-6", false},  {-1.5e-6, "1e-6", true},
+                 {1e-12, "1e-14", true}, {1e-8, "1e-14", false}, {0.1, "7", false},
+                 {0.1, "null", false},   {1e-12, "null", true},  {1.5e-6, "1e-14", false}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        make_led(place, "a", "strip", 1);
+        make_led(place, "b", "strip", 1 + cases[i].apart);
+        for (int k = 0; k < 2; k++)
+            set_scene(place, k ? "b" : "a",
+                      filled("\"tolerance\": %s, \"hardness_Pa\": %s", cases[i].tolerance,
+                             k ? "39760000.000000007" : "39760000.0"));
+        json_t *view = compare(place, "a", "b", "");
+        at(view, "surfaces.0.numbers.0.lines.1.same", cases[i].same ? "true" : "");
+        at(view, "inputs.0.key", "\"s.sha256\"");
+        at(view, "inputs.1", "");
+    }
+}
+
+/* Loads and resistances are in the first scene's units, of the whole contact where the nominal area is one. */
+TEST_IN_WORKSPACE(numbers_are_in_the_units_of_the_scene)
+{
+    static const struct {
+        const char *first, *second, *load, *unit, *value;
+    } cases[] = {
+        {"\"load_unit\": \"cN\", \"nominal_area_m2\": 2e-6, ", "\"nominal_area_m2\": 2e-6, ", "2000\u00a0cN", "mΩ",
+         "1.00"},
+        {"\"operating_load_unit\": \"bar\", \"nominal_area_m2\": 2e-8, ", "\"nominal_area_m2\": 2e-8, ", "100\u00a0bar",
+         "mΩ", "100"},
+        {"\"nominal_area_m2\": 2e-6, ", "\"nominal_area_m2\": 2e-6, ", "20.0\u00a0N", "mΩ", "1.00"},
+        {"\"nominal_area_m2\": 2e-6, ", "\"nominal_area_m2\": 3e-6, ", "10.0\u00a0MPa", "mΩ·mm²", "2.00"},
+        {"\"load_unit\": \"N\", ", "", "10.0\u00a0MPa", "mΩ·mm²", "2.00"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        make_led(place, "a", "strip", 1);
+        make_led(place, "b", "strip", 2);
+        static const char common[] = "\"effective_modulus_Pa\": 1e11, \"operating_load_over_AnEp\": 1e-4, ";
+        set_scene(place, "a", filled("%s%s\"tolerance\": 1e-6", common, cases[i].first));
+        set_scene(place, "b", filled("%s%s\"tolerance\": 1e-6", common, cases[i].second));
+        json_t *view = compare(place, "a", "b", "");
+        at(view, "load", filled("\"%s\"", cases[i].load));
+        at(view, "ranking.unit", filled("\"%s\"", cases[i].unit));
+        at(view, "ranking.lines.0.shown.value", filled("\"%s\"", cases[i].value));
+        at(view, "surfaces.0.numbers.0.unit", filled("\"%s\"", cases[i].unit));
+        assert_near(at(view, "ranking.lines.0.value", NULL), 2e-9, 1e-12); /* SI, per area */
+    }
+}
+
 /* More reports than stand side by side are ranked alone, and a thousand of 1 kB as well as three. */
 TEST_IN_WORKSPACE(many_reports_make_one_table)
 {

@@ -117,7 +117,7 @@ TEST_IN_WORKSPACE(report_is_described)
 {
     static const char *const tables[] = {"surfaces.csv",     "spectrum.csv",    "contact.csv", "convergence.csv",
                                          "cost.csv",         "spread.csv",      "bands.csv",   "direct.csv",
-                                         "direct_ratio.csv", "sensitivity.csv", "answers.csv"};
+                                         "direct_ratio.csv", "sensitivity.csv", "answers.csv", "limits.csv"};
     char *document = read_document();
     workspace_scan(place, "in/a.csv", 300, 1);
     workspace_scan(place, "in/b.csv", 300, 2);
@@ -154,7 +154,7 @@ TEST_IN_WORKSPACE(report_is_described)
 TEST_IN_WORKSPACE(tutorial_quotes_the_report)
 {
     char *document = workspace_read(PROJECT_SOURCE, "docs/tutorial.md");
-    run_to_exit(place, 0, "report", PROJECT_SOURCE "/surfaces/connector", "-o", "out", "--no-cost", "--check");
+    run_to_exit(place, 6, "report", PROJECT_SOURCE "/surfaces/connector", "-o", "out", "--no-cost", "--check");
     char *report = workspace_read(place, "out/report.md");
     size_t quotes = 0;
     for (char *at = strtok(document, "\n"); at; at = strtok(NULL, "\n")) {

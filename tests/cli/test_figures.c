@@ -20,8 +20,8 @@ static void numbers_in(char *out, size_t size, const char *script)
     for (int n = 1, end; n + 1 < 100; n = end + 1) {
         for (end = n; there[end]; end++)
             ;
-        for (int k = n;
-             k<end; k += end - k> 2 && k == n ? end - k - 1 : 1) /* the first and the last of three or more */
+        const int step = end - n > 2 ? end - n - 1 : 1; /* the first and the last of three or more */
+        for (int k = n; k < end; k += step)
             snprintf(out + strlen(out), size - strlen(out), "%s6-%02d",
                      k > n && end - n > 2 ? " to "
                      : out[0]             ? ", "

@@ -206,7 +206,7 @@ TEST_IN_WORKSPACE(test_the_text_of_a_map)
                                      "  plane out   Sq 1 um, Sa 1 um, Sz 2 um; below: rows, each over its line\n"
                                      "  roughness   Rq 0.956183 um, Ra 0.914286 um, peak to valley 2.51429 um\n"
                                      "  moments     m2 0.00734694, m4 1 /um2\n"
-                                     "  to paste    sigma_asp 0.956183 um, m_asp 0.0683901 (of two rough sides the "
+                                     "  to paste    sigma_asp 1 um, m_asp 0.0683901 (of two rough sides the "
                                      "root of the sum of squares)\n"
                                      "  power law   - (no power law found)\n");
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* An installed tree: the program finds its templates there, and others the library, also after the tree has moved; and
- * it can be taken out again. */
+/* An installed tree: the program finds its templates there, also after the tree has moved; and it can be taken out
+ * again. */
 #include "cli/process.h"
 
 /** Installs the build into `prefix` of the workspace, and returns its whole path. */
@@ -58,70 +58,6 @@ TEST_IN_WORKSPACE(test_install)
                            "first/share/roughcontact/templates'; install the program with cmake --install", __FILE__,
                            __LINE__);
     assert_false(workspace_has(place, "out"));
-    const char *const self_test[] = {program, "self-test", NULL};
-    run_list(place, self_test);
-    /* a number that is off is named, and which one of its group is worst */
-    workspace_shell(place, "cd first/share/roughcontact; sed -i s/6.3663e-07/6.3e-07/ selftest.csv; "
-                           "sed -i s/1.98e-06/1.98001e-06/ selftest.csv");
-    expect_output(process_expect(process_end(process_start_list(place, self_test, NULL)), 1, __FILE__, __LINE__),
-                  "WRONG: 2 of them; triangle, t is 1.98", "numbers: this build does NOT compute correctly here");
-    assert_int_equal(unlink_in(place, "first/share/roughcontact/selftest.csv"), 0);
-    process_expect_failure(process_end(process_start_list(place, self_test, NULL)), 4, 1,
-                           "first/share/roughcontact/selftest.csv'; install the program with cmake --install", __FILE__,
-                           __LINE__);
-}
-
-/** The numbers of the examples' table are the program's. */
-static void expect_table(const char *place, const char *printed)
-{
-    run_to_exit(place, 0, "report", "d", "-o", "out", "--no-cost", "--brief");
-    struct table table = workspace_table(place, "out/data/contact.csv");
-    for (size_t row = 0; row < table.rows; row++) {
-        const char *ecr = table_text(&table, row, "ecr_ohm_m2"), *tcr = table_text(&table, row, "tcr_K_m2_per_W");
-        expect_part(printed, filled("%-12.5g %-12.5g %-12.5g %.5g\n", table_number(&table, row, "pressure_Pa"),
-                                    table_number(&table, row, "area_ratio"), *ecr ? strtod(ecr, NULL) : NAN,
-                                    *tcr ? strtod(tcr, NULL) : NAN));
-    }
-    assert_int_equal(table.rows, 3); /* the model ends before the other two of the loads */
-    expect_part(printed, " nan          nan  beyond the model's range\n");
-}
-
-/** Both examples, built through pkg-config and run in an installed tree that was moved. */
-TEST_IN_WORKSPACE(test_examples)
-{
-    char *prefix = install(place, "first"), *moved, *text;
-    moved = lasting("%s/moved", place);
-    assert_int_equal(rename(prefix, moved), 0);
-    workspace_scan(place, "d/a.csv", 900, 6);
-    workspace_write(place, "d/scene.yaml",
-                    "material: tin\nmodels: [strip-plastic]\neffects: [plasticity, electrical, thermal]\n"
-                    "load: {values: [1e-6, 1e-5, 1e-4, 1e-3, 1e-2]}\n");
-    workspace_write(place, "bare.csv", "0,1\n1,2\n2,1\n");
-
-    setenv("PKG_CONFIG_PATH", "moved/" LIBRARY_FOLDER "/pkgconfig", 1);
-    workspace_shell(place, C_COMPILER " -Wall -Wextra -Werror " SANITIZE_OPTIONS
-                                      " -o contact moved/share/roughcontact/examples/contact.c"
-                                      " $(pkg-config --cflags --libs roughcontact)");
-    text = workspace_shell(place, "pkg-config --modversion roughcontact");
-    struct process version = expect_exit(place, 0, "--version");
-    text[strcspn(text, "\n")] = '\0';
-    expect_part(version.out, text);
-    unsetenv("PKG_CONFIG_PATH");
-
-    setenv("LD_LIBRARY_PATH", "moved/" LIBRARY_FOLDER, 1);
-    char *of_c = workspace_shell(place, "./contact d/a.csv");
-    expect_table(place, of_c);
-    text = workspace_shell(place, "! ./contact bare.csv 2>&1");
-    expect_parts(text, "bare.csv: ", "unit");
-    if (*SANITIZE_OPTIONS || !workspace_can_run(place, "python3 -c 'import ctypes'")) {
-        print_message("no Python here that could load the library\n");
-    } else {
-        char *of_python = workspace_shell(place, "python3 moved/share/roughcontact/examples/contact.py d/a.csv");
-        assert_string_equal(of_python, of_c);
-        text = workspace_shell(place, "! python3 moved/share/roughcontact/examples/contact.py bare.csv 2>&1");
-        expect_part(text, "bare.csv: ");
-    }
-    unsetenv("LD_LIBRARY_PATH");
 }
 
 /** Takes out what the installation before put, as the target `uninstall` does. */

@@ -210,7 +210,7 @@ TEST_CASE(documents_are_made_of_the_quantities)
                      (row->is & QUANTITY_SIGMA_ALONE) ? row->meaning : "the same over Rq");
         text_add(&schema, "    \"%s\": {\"$ref\": \"#/$defs/numbers\"},\n", row->name);
     }
-    check_made("docs/report.md", "\n| `surface`, `model` | | names |\n", &page, "\n## data/unloading.csv");
+    check_made("docs/report.md", "\n| `surface`, `model` | | names |\n", &page, "\n## data/answers.csv");
     check_made("docs/results.schema.json",
                "\"largest_load_share_clamped_at_radius\": {\"$ref\": \"#/$defs/number\"},\n", &schema,
                "    \"operating\": {");
@@ -311,7 +311,6 @@ TEST_IN_WORKSPACE(bash_completes)
         {"roughcontact report in", "inner\n"},
         {"roughcontact report -o in", "inner\n"},
         {"roughcontact models --j", "--json \n"},
-        {"roughcontact self-test --ver", "--verbose \n"},
         {"roughcontact report -j ", "\n"},
         {"roughcontact report -s in", "inner\n"},
     };

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The Debian packages: made, looked over by lintian where that is installed, unpacked, and the program run from there.
+/* The Debian package: made, looked over by lintian where that is installed, unpacked, and the program run from there.
  */
 #include "cli/process.h"
 
@@ -29,18 +29,11 @@ TEST_IN_WORKSPACE(test_package)
     expect_parts(text, "Package: roughcontact\n", "gnuplot-nox | gnuplot");
     expect_part(text, "libmd4c-html0"); /* GSL and others are inside it */
     expect_no_part(text, "libgsl");
-    text = workspace_shell(place, "dpkg-deb -f packages/libroughcontact1_*.deb Depends");
-    expect_part(text, "libgsl27");
-    expect_no_part(text, "gnuplot"); /* which the library has no use for */
-    expect_no_part(text, "libyaml");
-    text = workspace_shell(place, "dpkg-deb -f packages/libroughcontact-dev_*.deb Depends");
-    expect_part(text, "libroughcontact1 (= ");
+    assert_string_equal(workspace_shell(place, "ls packages/*.deb | wc -l"), "1\n");
     text = workspace_shell(place,
                            "for p in packages/*.deb; do dpkg-deb -x $p root; done; cd root && find usr -type f | sort");
-    expect_parts(text, "usr/bin/roughcontact\n", "usr/include/roughcontact.h\n", "/pkgconfig/roughcontact.pc\n",
-                 "/libroughcontact.so.1.", "usr/share/doc/roughcontact/copyright\n",
-                 "usr/share/doc/roughcontact/changelog.gz\n", "usr/share/doc/libroughcontact1/changelog.gz\n",
-                 "usr/share/roughcontact/templates/page.html\n", "usr/share/roughcontact/selftest.csv\n",
+    expect_parts(text, "usr/bin/roughcontact\n", "usr/share/doc/roughcontact/copyright\n",
+                 "usr/share/doc/roughcontact/changelog.gz\n", "usr/share/roughcontact/templates/page.html\n",
                  "usr/share/roughcontact/surfaces/chapter6/scene.yaml\n");
 
     /* the main job, from there, is what it is from the build */

@@ -187,67 +187,6 @@ TEST_IN_WORKSPACE(test_laws_at_one_wavelength)
     expect_in_file(place, "out/d/report.md", "at 12.2 µm"); /* of one surface, its band's middle */
 }
 
-/** A loop made of the leading model's own curves, the falling one doubled: each branch is held against its own. Neither
- * without the effect, nor with the key alone. */
-TEST_IN_WORKSPACE(test_unloading)
-{
-    static const char scene[] = "material: tin\nnominal_area_m2: 1e-6\nunload_from: 3 N\nlevel: line\n%s";
-    static const char listed[] = "effects: [separation, electrical, unloading]\n";
-    char text[256];
-    for (size_t k = 0; k < 2; k++) { /* many short waves: many spots */
-        struct text *scan = support_text();
-        double walk_um = 0, height_um = 0;
-        text_add(scan, "x [um],z [um]\n");
-        for (size_t i = 0; i < 3000; i++) {
-            walk_um += direct_random(k, i) - direct_random(k, i + 3000) - 0.1 * walk_um;
-            height_um += 0.2 * (walk_um - height_um);
-            text_add(scan, "%zu,%.6f\n", i, height_um);
-        }
-        workspace_write(place, filled("d/a/%zu.csv", k), text_string(scan));
-    }
-    workspace_write(place, "d/scene.yaml", filled(scene, "effects: electrical\n"));
-    struct process plan = expect_exit(place, 0, "plan", "d");
-    expect_part(plan.out, "only where effects lists it");
-
-    snprintf(text, sizeof text, scene, listed);
-    workspace_write(place, "d/scene.yaml", text);
-    run_to_exit(place, 0, "report", "d", "--no-cost");
-    expect_in_file(place, "out/d/report.md",
-                   "Under a load that falls again from 3.00\u00a0N what has flowed on *a* keeps its shape");
-    expect_in_file(place, "out/d/figures/answer.csv", "# unloading");
-    struct table contact = workspace_table(place, "out/d/data/contact.csv"),
-                 falling = workspace_table(place, "out/d/data/unloading.csv");
-    struct text *csv = support_text();
-    text_add(csv, "load (dimensionless);ECR (ohm m2)\n");
-    double turn = table_number(&falling, falling.rows - 1, "load_over_AnEp");
-    assert_near(turn, table_number(&falling, 0, "largest_load_over_AnEp"), 1e-12);
-    for (size_t i = 0; i < contact.rows; i++)
-        if (strcmp(table_text(&contact, i, "model"), "strip-plastic") == 0 &&
-            table_number(&contact, i, "load_over_AnEp") < turn)
-            text_add(csv, "%.15g;%.15g\n", table_number(&contact, i, "load_over_AnEp"),
-                     table_number(&contact, i, "ecr_ohm_m2"));
-    for (size_t i = falling.rows; i-- > 0;) {
-        double ratio = table_number(&falling, i, "ecr_ohm_m2_over_loading"), load = turn;
-        if (i + 1 == falling.rows) {
-            assert_near(ratio, 1, 0);
-        } else {
-            double area = table_number(&falling, i, "area_ratio_over_loading");
-            assert_true(ratio > 0.3 && ratio < 2 && area > 1 && area < 4);
-            load = table_number(&falling, i, "load_over_AnEp");
-        }
-        text_add(csv, "%.15g;%.15g\n", load, (load < turn ? 2 : 1) * table_number(&falling, i, "ecr_ohm_m2"));
-    }
-    workspace_write(place, "d/ecr.csv", text_string(csv));
-    snprintf(text, sizeof text, scene, listed);
-    strcat(text, "measured: {file: ecr.csv}\n");
-    workspace_write(place, "d/scene.yaml", text);
-    run_to_exit(place, 0, "report", "d", "--no-cost");
-    expect_in_file(place, "out/d/report.md",
-                   "Branch by branch, strip transfer with hardness: loading 1.00, ×÷ 1.00; unloading, against its own "
-                   "curve, 0.500, ×÷ 2.00.");
-    expect_in_file(place, "out/d/figures/measured.csv", "# unloading");
-}
-
 /** Measurements that are GW's curve, doubled, up and down in load: found in their units, in their order, and nearest to
  * GW by that factor. Of two surfaces each has its own: one two runs that carry 0.5 and 0.72, and the mean into the
  * target, the other the first of them. */

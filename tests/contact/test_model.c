@@ -110,7 +110,7 @@ TEST_CASE(test_any_task)
         size_t points = next_below(&seed, HEIGHTS_MOST + 1);
         for (size_t i = 0; i < points; i++)
             row[i] = 1e-6 * next_share(&seed);
-        struct strip_rows rows = {row, 1, points, 1e-6, t % 2};
+        struct strip_rows rows = {row, 1, points, 1e-6, t % 2, NULL};
         struct strip strip = {
             .own = {.count = 3, .logit = {-4, -1, 2}, .value = {{-9, 1, 2}, {-5, 0, 1}, {-3, -2, -1}}},
             .surrogate[0] = {.count = 1, .logit = {-1}, .value = {{-6, 0, 1}}},
@@ -273,5 +273,23 @@ TEST_CASE(test_few_longest_waves)
     assert_near(model_surface_sd(strip, QUANTITY_SEPARATION, 2.5), 0.48, 1e-14);
     assert_near(model_surface_sd(strip, QUANTITY_SEPARATION, 0), 0.48, 1e-14);
     assert_within(model_surface_sd(gw, QUANTITY_ECR, 1), 0, 0);
-    assert_within(model_surface_sd(strip, QUANTITY_VOLTAGE, 1), 0, 0);
+    assert_within(model_surface_sd(strip, QUANTITY_SPOT_RADIUS, 1), 0, 0);
+}
+
+/* A model's error of a quantity is that of the area, gap or resistance that it follows. */
+TEST_CASE(test_an_error_is_of_what_the_quantity_follows)
+{
+    static const struct {
+        enum quantity quantity;
+        int column; /* -1: none */
+    } cases[] = {{QUANTITY_AREA, 0},      {QUANTITY_SEPARATION, 1}, {QUANTITY_ADJUSTED, 1},
+                 {QUANTITY_MEAN_GAP, 1},  {QUANTITY_GAP, 1},        {QUANTITY_ECR, 2},
+                 {QUANTITY_TCR, 2},       {QUANTITY_JOINT, 2},      {QUANTITY_JOINT_ECR, 2},
+                 {QUANTITY_SHAPE_ECR, 2}, {QUANTITY_LOAD, -1},      {QUANTITY_SPOT_DENSITY, -1}};
+    const struct model_row *strip = model_rows[model_named("strip")];
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        const int c = cases[i].column;
+        assert_within(model_rms(strip, cases[i].quantity, false, false), c < 0 ? 0 : strip->ln_rms[MODEL_SCANS][c], 0);
+        assert_within(model_sd(strip, cases[i].quantity), c < 0 ? 0 : strip->ln_sd[c], 0);
+    }
 }

@@ -107,7 +107,7 @@ static bool make(struct made *out, size_t number)
     struct status status = {0};
     struct spectrum one;
     draw(out->height_m, number);
-    out->rows = (struct strip_rows){out->height_m, 1 + number / 12 % ROWS, POINTS, 1e-6, number % 5 == 0};
+    out->rows = (struct strip_rows){out->height_m, 1 + number / 12 % ROWS, POINTS, 1e-6, number % 5 == 0, NULL};
     for (size_t r = 0; r < out->rows.rows; r++) {
         expect_ok(spectrum_compute, &one, out->height_m + r * POINTS, POINTS, 1e-6, SPECTRUM_WINDOW_NONE);
         if (r == 0)

@@ -31,8 +31,6 @@ void fuzz_compare(const uint8_t *bytes, size_t length);
 /** A template, which is filled. */
 void fuzz_template(const uint8_t *bytes, size_t length);
 
-/** Calls of the library: a byte says which, those behind it with what. */
-void fuzz_library(const uint8_t *bytes, size_t length);
 /** The bytes of a file of scans, as fuzz_scan() takes them, whose last ones choose the scene of a whole report. */
 void fuzz_report(const uint8_t *bytes, size_t length);
 
@@ -47,8 +45,6 @@ size_t fuzz_compare_good(void);
 size_t fuzz_template_good(void);
 /** How many reports were written. */
 size_t fuzz_report_good(void);
-/** How often the call that succeeded least did so. */
-size_t fuzz_library_good(void);
 
 /** Prints how many runs each format, kind of text, or call had. */
 void fuzz_scan_counts(void);
@@ -56,7 +52,6 @@ void fuzz_scene_counts(void);
 void fuzz_measured_counts(void);
 void fuzz_compare_counts(void);
 void fuzz_template_counts(void);
-void fuzz_library_counts(void);
 void fuzz_report_counts(void);
 
 #endif

@@ -138,12 +138,6 @@ TEST_CASE(test_template)
     assert_true(fuzz_template_good() > 20);
 }
 
-TEST_CASE(test_library)
-{
-    assert_true(replay(CORPUS "library", fuzz_library, 80) > 1);
-    assert_true(fuzz_library_good() > 0);
-}
-
 TEST_CASE(test_report)
 {
     assert_true(replay(CORPUS "report", fuzz_report, 12) > 15);

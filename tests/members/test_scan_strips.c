@@ -16,7 +16,11 @@ static struct strips strips_of(const double *height_m, size_t rows, size_t point
     struct strips strips = {.height_m = malloc(rows * points * sizeof(double))};
     assert_non_null(strips.height_m);
     memcpy(strips.height_m, height_m, rows * points * sizeof(double));
-    strips.rows = (struct strip_rows){strips.height_m, rows, points, spacing_m, periodic};
+    strips.seed = calloc(rows, sizeof *strips.seed);
+    assert_non_null(strips.seed);
+    for (size_t r = 0; r < rows; r++)
+        strips.seed[r] = (uint64_t)r << 32;
+    strips.rows = (struct strip_rows){strips.height_m, rows, points, spacing_m, periodic, strips.seed};
     return strips;
 }
 
@@ -148,6 +152,7 @@ TEST_CASE(pairs_solve_as_what_they_are)
         struct strip_rows rows = rough.rows;
         struct strip alone;
         rows.height_m += 4 * p * POINTS;
+        rows.seed += 4 * p;
         rows.rows = 4;
         expect_ok(strip_solve, &alone, &rows, STRIP_SURROGATES, NULL);
         assert_non_null(own_members[p].strip);

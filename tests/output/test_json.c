@@ -69,7 +69,6 @@ TEST_CASE(test_every_key_of_the_scene_is_told)
         {"shape", ""},
         {"convergence", "convergence"}, /* where they are given: test_joint_report and others have them */
         {"measured", ""},
-        {"unload_from", ""},
         {"targets", ""},
         {"limits", ""},
         {"direct", ""},

@@ -10,7 +10,7 @@ static int place_setup(void **state)
     pipeline_rough(&place, "in/rough-2.csv", 120, 1, 3);
     directory_write(&place, "in/scene.yaml",
                     "material: tin\nnominal_area: 1 mm2\nload: {from: 1e-5, to: 0.5, points: 11}\n"
-                    "models: [gw, strip]\ntargets: [{ecr: 1 mohm}]\n"
+                    "models: [gw, strip]\ntargets: [{ecr: 1 mohm}]\nlimits: {ecr: {most: 1 mohm}}\n"
                     "surfaces: [{name: rough, file: [rough-1.csv, rough-2.csv]}]\n");
     assert_int_equal(pipeline_run(&place, "in", "out", 1), 0);
     *state = &place;
@@ -65,6 +65,8 @@ TEST_CASE(test_a_table_of_fields_is_header_and_keys)
     assert_keys(surface, surface_fields, false);
     assert_columns(*state, "out/data/answers.csv", 0, answer_fields, true);
     assert_keys(json_array_get(json_object_get(root, "answers"), 0), answer_fields, true);
+    assert_columns(*state, "out/data/limits.csv", 0, limit_fields, true);
+    assert_keys(json_array_get(json_object_get(root, "limits"), 0), limit_fields, true);
     assert_columns(*state, "out/data/spread.csv", 2, record_estimate_fields, true);
     assert_keys(json_object_get(spread, "rq_m"), record_estimate_fields, true);
     assert_keys(spread, repeats_fields, true);
@@ -82,7 +84,8 @@ static void assert_apart(const struct record_field *fields, unsigned when)
 /* A field lies where its name says: none has another's number, and they obey the equations between them. */
 TEST_CASE(test_fields_lie_where_they_say)
 {
-    const struct record_field *const tables[] = {surface_fields, repeats_fields, answer_fields, record_estimate_fields};
+    const struct record_field *const tables[] = {surface_fields, repeats_fields, answer_fields, limit_fields,
+                                                 record_estimate_fields};
     for (size_t t = 0; t < sizeof tables / sizeof *tables; t++) {
         assert_apart(tables[t], RECORD_CSV);
         assert_apart(tables[t], RECORD_JSON);

@@ -221,11 +221,11 @@ TEST_CASE(folded_sections)
 /* Cells that judge have a class for their colour, and keep mark and words; others have none. */
 TEST_CASE(verdicts)
 {
-    struct text page = rendered("| a | b |\n|---|---:|\n| ✓ meets: 1 | ✗ **misses**: 2 |\n| ? cannot tell | what? |\n");
+    struct text page = rendered("| a | b |\n|---|---:|\n| ✓ met: 1 | ✗ **missed**: 2 |\n| ? undecided | what? |\n");
     const char *body = body_of(&page);
-    expect_parts(body, "<td><span class=\"met\">✓ meets: 1</span></td>",
-                 "<span class=\"missed\">✗ <strong>misses</strong>: 2</span></td>",
-                 "<td><span class=\"untold\">? cannot tell</span></td>", ">what?</td>");
+    expect_parts(body, "<td><span class=\"met\">✓ met: 1</span></td>",
+                 "<span class=\"missed\">✗ <strong>missed</strong>: 2</span></td>",
+                 "<td><span class=\"untold\">? undecided</span></td>", ">what?</td>");
     text_free(&page);
 }
 

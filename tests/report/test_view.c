@@ -461,7 +461,7 @@ TEST_OF_PLAIN(too_few_spots_are_told)
 
 TEST_OF_PLAIN(a_limit_names_the_one_surface_and_counts_several)
 {
-    static const enum limit_verdict verdicts[][MADE_UP_USABLE] = {{LIMIT_MET, LIMIT_CANNOT_TELL, LIMIT_MISSED},
+    static const enum limit_verdict verdicts[][MADE_UP_USABLE] = {{LIMIT_MET, LIMIT_UNDECIDED, LIMIT_MISSED},
                                                                   {LIMIT_MISSED, LIMIT_NO_VALUE, LIMIT_MISSED},
                                                                   {LIMIT_MET, LIMIT_MET, LIMIT_MET}};
     static const char *const says[] = {
@@ -509,6 +509,59 @@ TEST_WITH(limits_are_those_of_what_is_asked, NULL, free_made)
     made_up_again(&made);
     assert_string_equal(view_at(made.view, "length_factor"), "2.0");
     assert_says_page("**1\u00a0% contact area takes 10.0\u00a0N**", "included");
+    target.quantity = QUANTITY_MEAN_GAP; /* what the halves' gap is nobody knows: not what their resistance is */
+    target.how = quantity_rows[QUANTITY_MEAN_GAP].asked;
+    made_up_again(&made);
+    assert_null(json_object_get(made.view, "length_factor"));
+    assert_null(json_object_get(made.view, "hardness_factor"));
+}
+
+/* The roughest is 4 times as rough as the smoothest: of scans of w longest waves that is two standard deviations of
+ * chance where 2 sqrt(0.25 (1/w + 1/w)) = ln 4, w = 1.041. */
+TEST_OF_WHOLE(roughness_that_may_be_chance_orders_nothing)
+{
+    static const double waves[] = {1.02, 1.06};
+    for (int k = 0; k < 2; k++) {
+        for (size_t i = 0; i < MADE_UP_USABLE; i++)
+            made_up_surface(&made, i)->longest_waves = waves[k];
+        made_up_again(&made);
+        assert_int_equal(json_object_get(made.view, "by_roughness") != NULL, k);
+    }
+    made_up_surface(&made, 1)->longest_waves = 1.02; /* that of the smoothest counts, and that of the roughest */
+    made_up_surface(&made, 2)->longest_waves = 1.04;
+    made_up_again(&made);
+    assert_null(json_object_get(made.view, "by_roughness"));
+    made_up_surface(&made, 2)->independent = 2;
+    made_up_again(&made);
+    assert_non_null(json_object_get(made.view, "by_roughness"));
+}
+
+static bool convergence_says(const char *name)
+{
+    made_up_again(&made);
+    return json_is_true(json_object_get(json_object_get(made.view, "convergence"), name));
+}
+
+/* Elastic area is to settle from gamma = 1 on, and only then; plastic area anywhere. */
+TEST_OF_WHOLE(the_convergence_study_is_read)
+{
+    enum { BELOW = 3, AT = 4, COUNT = 9 }; /* gamma 0.75, 1 */
+    for (size_t v = 0; v < COUNT; v++) {
+        made_up_sweep(&made, CONVERGENCE_GAMMA, "multiscale-elastic", v, v < AT ? 0.1 : 0.5);
+        made_up_sweep(&made, CONVERGENCE_GAMMA, "multiscale-plastic", v, 0.5);
+    }
+    assert_true(convergence_says("as_expected"));
+    assert_true(convergence_says("yielding_ends_it"));
+    made_up_sweep(&made, CONVERGENCE_GAMMA, "multiscale-plastic", BELOW, 0.1);
+    assert_true(convergence_says("as_expected"));
+    assert_false(convergence_says("yielding_ends_it"));
+    made_up_sweep(&made, CONVERGENCE_GAMMA, "multiscale-plastic", BELOW, 0.5);
+    made_up_sweep(&made, CONVERGENCE_GAMMA, "multiscale-elastic", BELOW, 0.5);
+    assert_false(convergence_says("as_expected"));
+    assert_true(convergence_says("yielding_ends_it"));
+    made_up_sweep(&made, CONVERGENCE_GAMMA, "multiscale-elastic", BELOW, 0.1);
+    made_up_sweep(&made, CONVERGENCE_GAMMA, "multiscale-elastic", AT, 0.1);
+    assert_false(convergence_says("as_expected"));
 }
 
 TEST_OF_PLAIN(few_waves_and_a_scans_length_do_not_contradict)
@@ -753,6 +806,7 @@ static void add_sources(struct text *out)
     for (size_t f = 0; f < sizeof files / sizeof *files; f++) {
         expect_ok(text_read_file, out, filled("%s/src/report/%s", PROJECT_SOURCE, files[f]));
     }
+    expect_ok(text_read_file, out, PROJECT_SOURCE "/src/answers/answers.c");
     expect_ok(text_read_file, out, PROJECT_SOURCE "/src/chart/figures.c");
     expect_ok(text_read_file, out, PROJECT_SOURCE "/src/contact/quantity.c");
     expect_ok(text_read_file, out, PROJECT_SOURCE "/src/material/material.c");

@@ -72,17 +72,17 @@ PLACED(test_loads_of_sweeps)
     made_up_make(&made, NULL);
     const struct material_pair *pair = results_pair(&made.results, made.results.baseline);
     size_t plastic = made_up_model("multiscale-plastic"), elastic = made_up_model("multiscale-elastic");
-    const bool given = made.scene.convergence.given;
-    made.scene.convergence.given = false;
+    const bool given = made.scene.convergence.load_given;
+    made.scene.convergence.load_given = false;
     assert_near(results_sweep_load(&made.results, elastic), made.scene.convergence.load, 1e-15);
     made.scene.convergence.load = 1;
     assert_near(material_pair_pressure(pair, results_sweep_load(&made.results, plastic)), pair->hardness_Pa / 100,
                 1e-12);
     made.scene.convergence.load = 1e-12;
     assert_near(results_sweep_load(&made.results, plastic), 1e-12, 1e-12);
-    made.scene.convergence = (struct scene_convergence){.given = true, .load = 1};
+    made.scene.convergence = (struct scene_convergence){.load_given = true, .load = 1};
     assert_near(results_sweep_load(&made.results, plastic), 1, 1e-15);
-    made.scene.convergence.given = given;
+    made.scene.convergence.load_given = given;
 }
 
 /* A leading strip over Gaussian heights of the same material law; nothing where one has no number or does not run. */

@@ -102,6 +102,29 @@ TEST_IN_DIRECTORY(loads_are_shown_as_given)
     }
 }
 
+/* An operating load in centinewtons, without loads: all charts stand over cN, and their data too; loads that the scene
+ * gives as P/(A_n E') stay that. */
+TEST_IN_DIRECTORY(loads_are_shown_as_the_operating_load_is_given)
+{
+    static const char scene[] = "effects: [plasticity, separation, electrical]\nmodels: [corrected-persson, cmy]\n"
+                                "material: tin\nnominal_area: 1 mm2\noperating_load: 200 cN\n";
+    static const char *const charts[] = {"answer", "area", "ecr", "separation-load"};
+    pipeline_rough(place, "in/a.csv", 400, 1, 11);
+    pipeline_rough(place, "in/b.csv", 400, 1, 12);
+    directory_write(place, "in/scene.yaml", scene);
+    assert_int_equal(pipeline_run(place, "in", "out", 1), 0);
+    expect_in_file(place, "out/report.md", "**At 200\u00a0cN the ");
+    expect_in_file(place, "out/results.json", "\"operating_load_unit\": \"cN\"");
+    for (size_t i = 0; i < sizeof charts / sizeof *charts; i++)
+        expect_in_file(place, filled("out/figures/%s.gp", charts[i]), "load (cN)'");
+    struct table contact = directory_table(place, "out/data/contact.csv");
+    char *data = directory_read(place, "out/figures/area.csv");
+    assert_near(strtod(strchr(data, '\n') + 1, NULL), 1e2 * 1e-6 * table_number(&contact, 0, "pressure_Pa"), 1e-9);
+    directory_write(place, "in/scene.yaml", filled("%sload: {from: 1e-5, to: 1e-2, points: 7}\n", scene));
+    assert_int_equal(pipeline_run(place, "in", "out", 1), 0);
+    expect_in_file(place, "out/figures/area.gp", "load P/(Aₙ E′)'");
+}
+
 /* What needs no material is what it is with any: loads are P/(A_n E'). */
 TEST_IN_DIRECTORY(without_a_material)
 {
@@ -155,4 +178,35 @@ TEST_IN_DIRECTORY(whose_mean_free_path)
         char *report = directory_read(place, "out/report.md");
         assert_int_equal(strstr(report, "`mean_free_path: electron`") != NULL, k == 0);
     }
+}
+
+/** The last row of the block of a chart's data that begins at `at`: x and y. */
+static const char *last_row(const char *at, double *x, double *y)
+{
+    const char *end = strstr(at, "\n\n\n");
+    assert_non_null(end);
+    for (const char *row = at; row && row < end; row = strchr(row, '\n')) {
+        char *next;
+        row += *row == '\n';
+        *x = strtod(row, &next);
+        *y = strtod(next + 1, NULL);
+    }
+    return end + 3;
+}
+
+/* Under an axis in mm profiles stand in mm, and spectra, in the block behind, over µm. */
+TEST_IN_DIRECTORY(charts_stand_over_the_unit_of_their_axis)
+{
+    enum { POINTS = 400 };
+    double x = 0, y = 0;
+    pipeline_rough(place, "in/a.csv", POINTS, 1, 11);
+    directory_write(place, "in/scene.yaml", "models: [corrected-persson]\nlevel: none\n");
+    assert_int_equal(pipeline_run(place, "in", "out", 1), 0);
+    expect_in_file(place, "out/figures/surfaces.gp", "set xlabel 'position (mm)'", "set xlabel 'wavelength (µm)'");
+    char *data = directory_read(place, "out/figures/surfaces.csv"), *scan = directory_read(place, "in/a.csv");
+    const char *next = last_row(data, &x, &y);
+    assert_near(x, 5e-4 * (POINTS - 1), 1e-9);
+    assert_near(y, strtod(strrchr(scan, ',') + 1, NULL), 1e-6); /* µm */
+    last_row(next, &x, &y);
+    assert_near(x, 1, 0.01); /* two spacings */
 }

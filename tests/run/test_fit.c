@@ -292,4 +292,53 @@ TEST_IN_PLACE(test_the_counterface_is_in_the_law)
     expect_gamma_made(place, "pair-out", "smooth");
 }
 
+/* The thesis's line gives the law of the scans, whether one is there or ten: none of its numbers hangs on how many. */
+TEST_IN_PLACE(test_the_thesis_line_of_ten_scans)
+{
+    struct synth_def def = synth_def_default();
+    def.points = 1000;
+    def.length_m = 5e-7 * 1000;
+    def.alpha = alpha_made;
+    def.gamma = gamma_made;
+    for (def.seed = 1; def.seed <= 10; def.seed++)
+        pipeline_synth(place, filled("thesis/a-%lu.csv", def.seed), &def);
+    for (int ten = 0; ten < 2; ten++) {
+        const char *out = ten ? "ten" : "one";
+        directory_write(place, "thesis/scene.yaml",
+                        filled("fit: thesis\nwindow: none\nlevel: mean\nsurfaces: [{name: a, file: \"%s\"}]\n",
+                               ten ? "a-*.csv" : "a-3.csv"));
+        assert_int_equal(pipeline_run(place, "thesis", out, 1), 0);
+        assert_near(number(place, out, "a", "alpha_SI"), alpha_made, 0.002);
+        assert_within(number(place, out, "a", "gamma"), gamma_made, 2e-4);
+    }
+    /* and one scan still scatters about it as the thesis's table has it */
+    assert_within(number(place, "one", "a", "fit_misfit_decades"), def.scatter_decades, 1e-3);
+}
+
+/* The thesis's four surfaces, with nothing said of their instrument: gamma within two of its errors, and these of use.
+ */
+TEST_IN_PLACE(test_scattered_amplitudes_still_have_a_line)
+{
+    static const double gamma[] = {1.6, 1.5, 1.4, 1.0};
+    for (int s = 0; s < 4; s++) {
+        struct text *csv = support_text();
+        expect_ok(text_read_file, csv, filled(PROJECT_SOURCE "/surfaces/chapter6/surface-%d.csv", s + 1));
+        directory_write(place, filled("chapter6/%d.csv", s + 1), text_string(csv));
+    }
+    directory_write(place, "chapter6/scene.yaml", "models: [multiscale]\n");
+    assert_int_equal(pipeline_run(place, "chapter6", "chapter6-out", 1), 0);
+    for (int s = 0; s < 4; s++) {
+        const char *name = filled("%d", s + 1);
+        double error = number(place, "chapter6-out", name, "gamma_stderr");
+        assert_true(error <= 0.35);
+        assert_within(number(place, "chapter6-out", name, "gamma"), gamma[s], 2 * error);
+        expect_class(place, "chapter6-out", name, s < 3 ? "scattered" : "law");
+        if (s < 3)
+            assert_within(number(place, "chapter6-out", name, "fit_misfit_decades"), 0.37, 0.06);
+        if (s < 2) /* the cut-off is found */
+            assert_within(number(place, "chapter6-out", name, "fit_low_m"), 8e-6, 1e-6);
+    }
+    expect_in_file(place, "chapter6-out/report.md", "(scattered: rms 0.33 decades)");
+}
+
 TEST_GROUP(directory_setup, directory_teardown)

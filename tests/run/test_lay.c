@@ -78,7 +78,9 @@ TEST_IN_DIRECTORY(a_lay_stretches_the_waves)
                              *const bands[4] = {"area_ratio_mean_low_95", "ecr_ohm_m2_mean_high_95"},
                              *const solved[4] = {"area_ratio", "gap_m", "ecr_ohm_m2"};
     for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
-        const char *direct = k == 2 ? "direct: {grid: 64, seeds: 2, loads: 3}\n" : "";
+        /* strips of several scans differ with their order, which is that of their contents */
+        const char *direct = k == 2 ? "direct: {grid: 64, seeds: 2, loads: 3}\n"
+                                    : "models: [multiscale, statistical, corrected-persson]\n";
         double kappa = sqrt((1 + rows[k].r * rows[k].r) / 2);
         write_scans(place, "a", 1, 1);
         write_scans(place, "l", 0.6, 1);
@@ -87,7 +89,7 @@ TEST_IN_DIRECTORY(a_lay_stretches_the_waves)
         run_scene(place, "stretched", rows[k].stretched, "", direct);
         expect_same(place, "contact", "lay", "stretched", curves, 2e-6);
         expect_same(place, "bands", "lay", "stretched", bands, 1e-5);
-        if (*direct)
+        if (k == 2)
             expect_same(place, "direct", "lay", "stretched", solved, 1e-3);
         assert_near(lay_number(place, "lay", "r"), rows[k].r, 1e-9);
         assert_near(lay_number(place, "lay", "kappa"), kappa, 1e-9);

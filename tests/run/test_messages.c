@@ -135,8 +135,13 @@ TEST_CASE(notes_of_the_refused_are_said)
         records[i].summary.refusal = refusals[i];
     }
     struct text text = said_of(records, SURFACES, true, SURFACES);
-    assert_int_equal(lines_with(&text, "holds from"), SURFACES);
-    assert_int_equal(lines_with(&text, " refused: "), SURFACES); /* each has to be seen to */
+    assert_int_equal(lines_with(&text, "holds from"), 10);
+    assert_int_equal(lines_with(&text, " refused: "), 10);
+    assert_int_equal(lines_with(&text, "more refused"), 1);
+    text_free(&text);
+    text = said_of(records, 10, true, 10);
+    assert_int_equal(lines_with(&text, " refused: "), 10);
+    assert_int_equal(lines_with(&text, "more refused"), 0);
     text_free(&text);
 }
 

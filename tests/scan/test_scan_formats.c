@@ -211,7 +211,11 @@ TEST_CASE(test_interferometers)
         double dy_m;
     } samples[] = {
         {"wyko",
-         WYKO_HEAD "Pixel_size\t7\t4\t0.0005\nWavelength\t7\t4\t500\nMult\t7\t4\t2\nRAW_DATA\t3\t48\t\n" WYKO_ROWS,
+         WYKO_HEAD "Pixel_size\t7\t4\t0.0005\nWavelength\t7\t4\t1000\nMult\t7\t4\t2\nRAW_DATA\t3\t48\t\n" WYKO_ROWS,
+         5e-7},
+        {"wyko", /* a line a column, and a block behind */
+         WYKO_HEAD "Pixel_size\t7\t4\t0.0005\nWavelength\t7\t4\t1000\nRAW_DATA\t3\t48\t\n0.5 0.125\n-1.25 Bad\n2.75 "
+                   "-3.5\nIntensity\t3\t48\n1 2 3\n",
          5e-7},
         {"wyko",
          WYKO_HEAD "Pixel_size\t7\t4\t0.0005\nAspect\t7\t4\t4\nWavelength\t7\t4\t77\nRAW DATA\t3\t48\tum\n" WYKO_ROWS,

@@ -58,7 +58,6 @@ static void check_defaults(const struct scene *scene)
     assert_false(scene->level_given || scene->fit_band_given);
     assert_int_equal(scene->moments, ROUGHNESS_MOMENTS_DIFFERENCE);
     assert_int_equal(scene->closure, SINUSOID_FIT_THESIS);
-    assert_int_equal(scene->data, SCENE_DATA_AUTO);
     assert_null(scene->baseline);
     assert_int_equal(scene->convergence.scales, 4096);
 }
@@ -127,7 +126,6 @@ TEST_CASE(test_every_key)
     assert_int_equal(scene.window, SPECTRUM_WINDOW_HANN);
     assert_int_equal(scene.moments, ROUGHNESS_MOMENTS_SPECTRAL);
     assert_int_equal(scene.closure, SINUSOID_FIT_NUMERIC);
-    assert_int_equal(scene.data, SCENE_DATA_FULL);
     assert_string_equal(scene.baseline, "2");
     assert_int_equal(scene.convergence.scales, 512);
     check_numbers(&scene, true);
@@ -266,6 +264,25 @@ TEST_CASE(test_default_loads)
     scene_free(&scene);
 }
 
+/* The program's own loads, 1e-6 to 0.1, reach a decade beyond one that is given, but not above 1; the scene's do not.
+ */
+TEST_CASE(test_loads_reach_a_decade_beyond)
+{
+    static const struct {
+        const char *text;
+        double from, to;
+    } cases[] = {
+        {"operating_load: 1e-4", 1e-6, 0.1}, {"operating_load: 2e-6", 2e-7, 0.1},
+        {"operating_load: 1e-8", 1e-9, 0.1}, {"operating_load: 0.03", 1e-6, 0.3},
+        {"operating_load: 0.5", 1e-6, 1},    {"operating_load: 2e-6\nload: {from: 1e-6, to: 1e-3}", 1e-6, 1e-3}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct scene scene = scene_of(filled("material: tin\n%s\n", cases[i].text));
+        assert_near(scene.load.from, cases[i].from, 1e-12);
+        assert_near(scene.load.to, cases[i].to, 1e-12);
+        scene_free(&scene);
+    }
+}
+
 TEST_CASE(test_the_command_line_wins)
 {
     struct scene_overrides overrides = {
@@ -351,6 +368,26 @@ TEST_CASE(test_units_of_loads_and_what_fills_the_gaps)
     assert_string_equal(scene.load.unit_text, "N");
     assert_int_equal(scene.joint.fill, JOINT_VACUUM);
     scene_free(&scene);
+}
+
+/* A unit of the operating load is the charts' where no loads are given, before `load` and behind it; it does not change
+ * what the loads are. */
+TEST_CASE(test_the_operating_loads_unit_is_that_of_the_loads)
+{
+    static const struct {
+        const char *loads, *unit;
+    } cases[] = {{"operating_load: 200 cN", "cN"},
+                 {"operating_load: 200 cN\nload: {points: 31}", "cN"},
+                 {"operating_load: 2 MPa", "MPa"},
+                 {"operating_load: 200 cN\nload: {from: 1 N, to: 10 N}", "N"},
+                 {"load: {from: 1e-6, to: 1e-3}\noperating_load: 200 cN", ""},
+                 {"operating_load: 1e-4", ""}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct scene scene = scene_of(filled("material: tin\nnominal_area: 1 mm2\n%s\n", cases[i].loads));
+        assert_string_equal(scene.load.unit_text, cases[i].unit);
+        assert_int_equal(scene.load.kind, i == 3 ? UNIT_FORCE : UNIT_NUMBER);
+        scene_free(&scene);
+    }
 }
 
 /** A Vickers number is in kgf/mm²; a correlation holds for surfaces without a hardness of their own. */

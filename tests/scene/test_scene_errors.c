@@ -140,9 +140,9 @@ static const struct wrong rows[] = {
     {AREA "load: {from: 100 N, to: 10 N}\n", 3, "'from' is 100, above 'to', 10; exchange them"},
     {AREA "load: {from: 1 N, to: 10 N}\noperating_load: 20 N\n", 4,
      "'operating_load' is 20 N, outside the loads, 1 to 10"},
-    {AREA "load: {from: 1 N, to: 10 N}\nunload_from: 20 N\n", 4, "'unload_from' is 20 N, outside the loads, 1 to 10"},
-    {"unload_from: 1e-3\neffects: unloading\n", 2,
-     "effect 'plasticity' needs a material; add 'material' or leave the effect out"},
+    {"unload_from: 1e-3\n", 1, "unknown key 'unload_from'; allowed: ..."},
+    {"data: full\n", 1, "unknown key 'data'; ..."},
+    {"effects: unloading\n", 1, "..."},
     {"operating_load: 2e-13\n", 1, "'operating_load' is 2e-13, outside the loads, 1e-06 to 0.1"},
     {"\noperating_load: 5 N\n", 2, "'operating_load' is a force, but on which area? add 'nominal_area'"},
     {AREA "load: {from: 1 N, to: 10 N}\noperating_load: 1e-4\nsurfaces: [{file: a.csv}, {file: b.csv, material: "

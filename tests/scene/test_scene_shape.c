@@ -3,7 +3,7 @@
 #include "scene_directory.h"
 
 #define COPPER "material: copper\nnominal_area: 400 mm2\nsurfaces: [{name: a, file: a.csv}]\n"
-#define BOLTS  "torque: 1 N m, thread: M5, head: 8.5 mm, thickness: [5 mm, 8 mm]}\n"
+#define BOLTS  "force: 1.25 kN, head: 8.5 mm, thickness: [5 mm, 8 mm]}\n"
 
 /** The scene of a directory with a scan and the file f.csv. */
 static enum status_code read_with(struct scene *scene, const char *text, const char *file, struct status *status)
@@ -125,10 +125,10 @@ TEST_CASE(test_bolts_that_just_fit)
 
 TEST_CASE(test_bolts)
 {
-    struct scene scene = good(COPPER "shape: {bolts: [[10 mm, 10 mm], [5 mm, 6 mm]], nut_factor: 0.16, " BOLTS, "");
-    assert_near(scene.shape.bolts.force_N, 1 / (0.16 * 5e-3), 1e-12);
+    struct scene scene = good(COPPER "shape: {bolts: [[10 mm, 10 mm], [5 mm, 6 mm]], " BOLTS, "");
+    assert_near(scene.shape.bolts.force_N, 1250, 1e-12);
     assert_near(scene.shape.bolts.reach_m, 4.25e-3 + 5e-3, 1e-12);
-    assert_near(scene.shape.bolts.hole_m, 2.75e-3, 1e-12);
+    assert_near(scene.shape.bolts.hole_m, 0.65 * 4.25e-3, 1e-12);
     assert_near(scene.operating.load * 400e-6, 2 * 1250, 1e-9);
     assert_near(scene.joint.thickness_m[1], 8e-3, 1e-12);
     scene_free(&scene);
@@ -163,26 +163,24 @@ TEST_CASE(test_refused)
          "'f.csv' is a profile; give a map of the part's height"},
         {"shape: {height: [f.csv, g.csv]}\n", "", "'height' is one map, not 2"},
         {"shape: {height: f.csv, scale: true}\n", "", "'scale' is for 'pressure' and 'bolts'; remove it"},
-        {"shape: {crown: 2 m, torque: 1 N m}\n", "", "'torque' says nothing without 'bolts'; remove it"},
-        {"shape: {bolts: [[10 mm, 10 mm]], torque: 1 N m, thread: M5, thickness: [5 mm, 8 mm]}\n", "",
+        {"shape: {crown: 2 m, force: 1 N}\n", "", "'force' says nothing without 'bolts'; remove it"},
+        {"shape: {bolts: [[10 mm, 10 mm]], force: 1 kN, thickness: [5 mm, 8 mm]}\n", "",
          "'head' is missing beside 'bolts'; add it"},
-        {"shape: {bolts: [[10 mm, 10 mm]], torque: 1 N m, thread: M5, head: 8.5 mm}\n", "",
+        {"shape: {bolts: [[10 mm, 10 mm]], force: 1 kN, head: 8.5 mm}\n", "",
          "'thickness' is missing beside 'bolts'; add it"},
-        {"shape: {bolts: [[10 mm, 10 mm]], torque: 1 N m, thread: 5, head: 8.5 mm, thickness: [5 mm, 8 mm]}\n", "",
-         "'thread' is no metric thread; give it as M5 (M1 to M100)"},
-        {"shape: {bolts: [[10 mm, 10 mm]], torque: 1 N m, thread: M8, head: 8.5 mm, thickness: [5 mm, 8 mm]}\n", "",
-         "'head' is 0.0085 m, no wider than its hole"},
+        {"shape: {bolts: [[10 mm, 10 mm]], torque: 1 N m, head: 8.5 mm, thickness: [5 mm, 8 mm]}\n", "",
+         "unknown key 'torque'"},
         {"shape: {bolts: [[10 mm, 21 mm]], " BOLTS, "",
-         "scene.yaml:4: bolt 1 is at 0.021 m in y, where its hole of 0.0055 m leaves the area, 0 to 0.02 m; "
+         "scene.yaml:4: bolt 1 is at 0.021 m in y, where its hole of 0.00553 m leaves the area, 0 to 0.02 m; "
          "coordinates "
          "count from a corner"},
         {"shape: {bolts: [[10 mm, 10 mm], [-10 mm, 5 mm]], " BOLTS, "",
-         "scene.yaml:4: bolt 2 is at -0.01 m in x, where its hole of 0.0055 m leaves the area, 0 to 0.02 m; "
+         "scene.yaml:4: bolt 2 is at -0.01 m in x, where its hole of 0.00553 m leaves the area, 0 to 0.02 m; "
          "coordinates count from a corner"},
         {"shape: {bolts: [[10 mm, 2.7 mm]], " BOLTS, "",
-         "bolt 1 is at 0.0027 m in y, where its hole of 0.0055 m leaves"},
+         "bolt 1 is at 0.0027 m in y, where its hole of 0.00553 m leaves"},
         {"shape: {bolts: [[17.3 mm, 10 mm]], " BOLTS, "",
-         "bolt 1 is at 0.0173 m in x, where its hole of 0.0055 m leaves"},
+         "bolt 1 is at 0.0173 m in x, where its hole of 0.00553 m leaves"},
         {"shape: {bolts: [[10 mm, 10 mm], [5 mm, 4 mm], [10 mm, 10 mm]], " BOLTS, "",
          "scene.yaml:4: bolts 1 and 3 are at one place, their holes in one another; correct either, coordinates count "
          "from a corner"},

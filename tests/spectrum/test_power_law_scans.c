@@ -146,7 +146,7 @@ TEST_CASE(test_a_given_band)
     assert_int_equal(band.law, POWER_LAW_BAND_LAW);
     assert_true(band.fit.band_m[0] >= 10e-6 && band.fit.band_m[0] < 10.1e-6);
     assert_true(band.fit.band_m[1] <= 150e-6 && band.fit.band_m[1] > 125e-6);
-    struct power_law law = power_law_of_band(&band);
+    struct power_law law = power_law_of_band(&band, NULL);
     assert_true(power_law_holds(&law));
     assert_near(power_law_amplitude(&law, law.wavelength_m), law.amplitude_m, 1e-12);
     assert_near(law.amplitude_m, band.alpha * pow(law.wavelength_m, band.fit.gamma), 1e-12);

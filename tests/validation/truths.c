@@ -12,7 +12,6 @@
 #include "directory.h"
 #include "profile/profile.h"
 #include "scan/scan.h"
-#include "selftest/selftest.h"
 #include "spectrum/power_law.h"
 #include "statistics/coverage.h"
 
@@ -45,31 +44,6 @@ static void add_grid(struct page *page, size_t n, const double *deviation, const
     for (size_t c = 0; c < count; c++)
         page_number(page, fabs(deviation[c]), last ? bound[c] : 0);
     text_add(&page->text, "\n");
-}
-
-/** Of each group of the self-test's numbers, the one that is worst by its tolerance. */
-static void add_selftest(struct page *page)
-{
-    struct selftest_table table;
-    struct status status = {0};
-    coverage_must(selftest_table_read(&table, PROJECT_SOURCE "/src/selftest/selftest.csv", &status), &status);
-    page_rows(page, "selftest");
-    for (size_t i = 0, end; i < table.count; i = end) {
-        const struct selftest_reference *first = &table.references[i];
-        double most = 0, deviation = 0, value;
-        for (end = i; end < table.count && strcmp(table.references[end].group, first->group) == 0; end++) {
-            const struct selftest_reference *one = &table.references[end];
-            coverage_must(selftest_value(&value, one, &table, &status), &status);
-            if (!(selftest_error(one, value) < most)) {
-                most = selftest_error(one, value);
-                deviation = most * one->tolerance;
-            }
-        }
-        text_add(&page->text, "| %s | %s | %zu | %.1e |", first->group, first->source, end - i, deviation);
-        page_number(page, most, 1);
-        text_add(&page->text, "\n");
-    }
-    selftest_table_free(&table);
 }
 
 /** The elastic cell: by a closure, or (NULL) as solved on 1024 x 1024 points. */
@@ -388,7 +362,6 @@ static void add_thesis(struct page *page)
 
 void truths_add(struct page *page)
 {
-    add_selftest(page);
     add_sinusoid(page);
     add_westergaard(page);
     add_hertz(page);
