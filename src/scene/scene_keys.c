@@ -118,14 +118,11 @@ static bool read_export(struct scene_source *source, const struct scene_key *key
 static bool read_fit_band(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
                           void *field)
 {
-    double *band = field;
+    const double *band = field;
     if (scene_source_is(value, key->word))
         return true;
-    if (value->type != YAML_SEQUENCE_NODE || scene_source_item_count(value) != 2)
-        return scene_source_wrong_type(source, value, key->name, "two wavelengths [shortest, longest] in m");
-    for (size_t i = 0; i < 2; i++)
-        if (!scene_source_quantity(source, key, scene_source_item(source, value, i), &band[i]))
-            return false;
+    if (!scene_source_pair(source, key, value, field))
+        return false;
     return band[0] < band[1] ||
            scene_source_fail_at(source, value, "'%s' is [%g, %g]; give the shorter wavelength first", key->name,
                                 band[0], band[1]);
@@ -492,7 +489,7 @@ const struct scene_key scene_keys[] = {
      "[[10 mm, 10 mm]], force: 2 kN, head: 8.5 mm}, with thickness: [5 mm, 8 mm] of "
      "the parts (default: half-spaces) and size: [20 mm, 10 mm] of the nominal area (default: a square), from a corner "
      "of which places count: conductance and ECR of the whole of it; default: the parts are flat",
-     scene_shape_read, .at = 0},
+     scene_shape_read, .at = 0, .within = &scene_shape_ways},
     {"plating",
      "{thickness, metal: hard gold, soft gold, tin, silver or nickel, or its resistivity, sides: one or both (the "
      "surface's comes first)}; thicker than indents are deep, a metal brings its hardness, below that of 'hardness'; "

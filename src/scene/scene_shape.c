@@ -20,16 +20,6 @@ enum { BOLTS_MOST = 1000 };
 /* Fails in the line of the key. */
 #define SHAPE_FAIL(source, ...) scene_source_fail((source), scene_keys_line((source), "shape"), __VA_ARGS__)
 
-/* [20 mm, 10 mm]. */
-bool scene_shape_pair(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value, void *field)
-{
-    double *pair = field;
-    if (value->type != YAML_SEQUENCE_NODE || scene_source_item_count(value) != 2)
-        return scene_source_wrong_type(source, value, key->name, "two lengths, as [20 mm, 10 mm]");
-    return scene_source_quantity(source, key, scene_source_item(source, value, 0), &pair[0]) &&
-           scene_source_quantity(source, key, scene_source_item(source, value, 1), &pair[1]);
-}
-
 /* Places, each a pair. */
 static bool read_bolts(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value, void *field)
 {
@@ -41,60 +31,45 @@ static bool read_bolts(struct scene_source *source, const struct scene_key *key,
     if (!(bolts->middle_m = calloc(count, sizeof *bolts->middle_m)))
         return scene_source_memory(source);
     for (; bolts->count < count; bolts->count++)
-        if (!scene_shape_pair(source, key, scene_source_item(source, value, bolts->count),
-                              bolts->middle_m[bolts->count]))
+        if (!scene_source_pair(source, key, scene_source_item(source, value, bolts->count),
+                               bolts->middle_m[bolts->count]))
             return false;
     return true;
 }
 
 #define AT(member) offsetof(struct scene, shape.member)
-enum { FLATNESS, CROWN, HEIGHT, PRESSURE, BOLTS, WAYS, OVER = WAYS, SIZE, THICKNESS, SCALE, FORCE, HEAD };
+enum { FLATNESS, CROWN, HEIGHT, PRESSURE, BOLTS };
+static const struct scene_key shape_keys[] = {
+    [FLATNESS] = {"flatness", NULL, SCENE_QUANTITY(AT(flatness_m), UNIT_DISTANCE, 1e-12, 1.0), .needs = "over"},
+    [CROWN] = {"crown", NULL, SCENE_QUANTITY(AT(crown_m), UNIT_DISTANCE, 1e-6, 1e9)},
+    [HEIGHT] = {"height", NULL, scene_surfaces_files, .at = AT(files)},
+    [PRESSURE] = {"pressure", NULL, scene_surfaces_files, .at = AT(files)},
+    [BOLTS] = {"bolts", NULL, read_bolts, .at = AT(bolts), .quantities = UNIT_DISTANCE, .least = -1e3, .most = 1e3,
+               .needs = "force, head, thickness"},
+    {"over", NULL, SCENE_QUANTITY(AT(over_m), UNIT_DISTANCE, 1e-9, 1e3), .needs = "flatness", .above = "flatness"},
+    {"size", NULL, scene_source_pair, .at = offsetof(struct scene, joint.size_m), .quantities = UNIT_DISTANCE,
+     .least = 1e-9, .most = 1e3},
+    {"thickness", NULL, scene_source_pair, .at = offsetof(struct scene, joint.thickness_m), .quantities = UNIT_DISTANCE,
+     .least = 1e-9, .most = 1e3},
+    {"scale", NULL, SCENE_YES(AT(scale)), .needs = "pressure or bolts"},
+    {"force", NULL, SCENE_QUANTITY(AT(bolts.force_N), UNIT_FORCE, 1e-9, 1e9), .needs = "bolts"},
+    {"head", NULL, SCENE_QUANTITY(AT(head_m), UNIT_DISTANCE, 1e-4, 1.0), .needs = "bolts"},
+};
+const struct scene_mapping scene_shape_ways = {"shape", shape_keys, SCENE_COUNT(shape_keys),
+                                               .one_of = "flatness or crown or height or pressure or bolts"};
+
 bool scene_shape_read(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value, void *field)
 {
-    static const struct scene_key keys[] = {
-        [FLATNESS] = {"flatness", NULL, SCENE_QUANTITY(AT(flatness_m), UNIT_DISTANCE, 1e-12, 1.0)},
-        [OVER] = {"over", NULL, SCENE_QUANTITY(AT(over_m), UNIT_DISTANCE, 1e-9, 1e3)},
-        [CROWN] = {"crown", NULL, SCENE_QUANTITY(AT(crown_m), UNIT_DISTANCE, 1e-6, 1e9)},
-        [HEIGHT] = {"height", NULL, scene_surfaces_files, .at = AT(files)},
-        [PRESSURE] = {"pressure", NULL, scene_surfaces_files, .at = AT(files)},
-        [BOLTS] = {"bolts", NULL, read_bolts, .at = AT(bolts), .quantities = UNIT_DISTANCE, .least = -1e3, .most = 1e3},
-        [SIZE] = {"size", NULL, scene_shape_pair, .at = offsetof(struct scene, joint.size_m),
-                  .quantities = UNIT_DISTANCE, .least = 1e-9, .most = 1e3},
-        [THICKNESS] = {"thickness", NULL, scene_shape_pair, .at = offsetof(struct scene, joint.thickness_m),
-                       .quantities = UNIT_DISTANCE, .least = 1e-9, .most = 1e3},
-        [SCALE] = {"scale", NULL, SCENE_YES(AT(scale))},
-        [FORCE] = {"force", NULL, SCENE_QUANTITY(AT(bolts.force_N), UNIT_FORCE, 1e-9, 1e9)},
-        [HEAD] = {"head", NULL, SCENE_QUANTITY(AT(head_m), UNIT_DISTANCE, 1e-4, 1.0)},
-    };
     struct scene_shape *shape = &source->scene->shape;
-    size_t lines[SCENE_COUNT(keys)];
-    int ways = 0;
-    if (!scene_source_mapping(source, value, SCENE_MAPPING(key->name, keys), lines, field))
+    size_t lines[SCENE_COUNT(shape_keys)];
+    if (!scene_source_mapping(source, value, key->within, lines, field))
         return false;
-    for (int way = 0; way < WAYS; way++)
-        ways += lines[way] > 0;
     shape->kind = lines[HEIGHT]     ? SCENE_SHAPE_HEIGHT
                   : lines[PRESSURE] ? SCENE_SHAPE_PRESSURE
                   : lines[BOLTS]    ? SCENE_SHAPE_BOLTS
                                     : SCENE_SHAPE_BULGE;
-    if (ways != 1 || (lines[FLATNESS] > 0) != (lines[OVER] > 0))
-        return scene_source_fail_at(source, value,
-                                    "'shape' is given in one way: {flatness: 5 um, over: 20 mm}, {crown: 2 m}, "
-                                    "{height: FILE}, {pressure: FILE} or {bolts: [[10 mm, 10 mm]], ...}");
-    if (lines[FLATNESS] > 0 && !(shape->flatness_m < shape->over_m))
-        return scene_source_fail(source, lines[OVER],
-                                 "'over' is %g m, less than 'flatness'; give the length it is over", shape->over_m);
-    for (int k = FORCE; k <= HEAD; k++)
-        if ((lines[k] > 0) != (lines[BOLTS] > 0))
-            return scene_source_fail_at(source, value, "'%s' %s 'bolts'; %s it", keys[k].name,
-                                        lines[BOLTS] ? "is missing beside" : "says nothing without",
-                                        lines[BOLTS] ? "add" : "remove");
-    if (lines[BOLTS] && !lines[THICKNESS])
-        return scene_source_fail_at(source, value, "'thickness' is missing beside 'bolts'; add it");
-    if (lines[HEIGHT] && shape->files.count > 1)
-        return scene_source_fail(source, lines[HEIGHT], "'height' is one map, not %zu", shape->files.count);
-    return lines[SCALE] == 0 || lines[BOLTS] || lines[PRESSURE] ||
-           scene_source_fail(source, lines[SCALE], "'scale' is for 'pressure' and 'bolts'; remove it");
+    return !lines[HEIGHT] || shape->files.count == 1 ||
+           scene_source_fail(source, lines[HEIGHT], "'height' is one map, not %zu", shape->files.count);
 }
 
 bool scene_shape_size(struct scene *scene, struct scene_source *source)

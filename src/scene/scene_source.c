@@ -264,8 +264,8 @@ bool scene_source_rules(struct scene_source *source, const struct scene_mapping 
                    *above = lines[k] ? key->above : NULL;
         while (next_demand(&demand, &needs, mapping, lines))
             if (demand.given == 0)
-                return scene_source_fail(source, lines[k], "'%s' says nothing without %s; add %s, or remove '%s'",
-                                         key->name, demand.text, demand.keys > 1 ? "one" : "it", key->name);
+                return scene_source_fail(source, lines[k], "'%s' needs %s; add %s, or remove '%s'", key->name,
+                                         demand.text, demand.keys > 1 ? "one" : "it", key->name);
         while (next_demand(&demand, &excludes, mapping, lines))
             if (demand.given > 0)
                 return scene_source_fail(source, lines[k], "'%s' stands beside %s; remove either", key->name,
@@ -345,6 +345,15 @@ bool scene_source_quantity(struct scene_source *source, const struct scene_key *
         return false;
     *(double *)field = quantity.value;
     return true;
+}
+
+bool scene_source_pair(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value, void *field)
+{
+    double *pair = field;
+    if (value->type != YAML_SEQUENCE_NODE || scene_source_item_count(value) != 2)
+        return scene_source_wrong_type(source, value, key->name, "two lengths, as [20 mm, 10 mm]");
+    return scene_source_quantity(source, key, scene_source_item(source, value, 0), &pair[0]) &&
+           scene_source_quantity(source, key, scene_source_item(source, value, 1), &pair[1]);
 }
 
 bool scene_source_whole(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value, void *field)

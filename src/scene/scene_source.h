@@ -104,8 +104,9 @@ struct string_view scene_source_scalar(const yaml_node_t *node);
 bool scene_source_memory(struct scene_source *source);
 
 /** To stand in scene_key.read; the field is a double (a number in SI or, where the quantities have units, with its
- * unit), a size_t, an enum, a malloc'ed char *, a char array. */
-scene_reader scene_source_quantity, scene_source_whole, scene_source_choice, scene_source_text, scene_source_short_text;
+ * unit), two of them, a size_t, an enum, a malloc'ed char *, a char array. */
+scene_reader scene_source_quantity, scene_source_pair, scene_source_whole, scene_source_choice, scene_source_text,
+    scene_source_short_text;
 /** The spelling of a unit of key->quantities, into a char[UNIT_LENGTH]. */
 scene_reader scene_source_unit;
 /** A quantity with all there is to know of it. */
@@ -182,8 +183,9 @@ void scene_files_free(struct scene_files *files);
 /** Frees what one surface holds. */
 void scene_surfaces_free(struct scene_surface *surface);
 
-/** How the parts are shaped, into a struct scene; a pair of lengths. */
-scene_reader scene_shape_read, scene_shape_pair;
+/** How the parts are shaped, into a struct scene. */
+scene_reader scene_shape_read;
+extern const struct scene_mapping scene_shape_ways;
 /** The sides of the nominal area, once that is known, and its fields, once the bodies are. */
 MUST_CHECK bool scene_shape_size(struct scene *scene, struct scene_source *source);
 MUST_CHECK bool scene_shape_complete(struct scene *scene, struct scene_source *source);

@@ -3,9 +3,7 @@
 #include "scene/scene_words.h"
 #include "scene_directory.h"
 
-#define ONE_WAY                                                                                                        \
-    "'shape' is given in one way: {flatness: 5 um, over: 20 mm}, {crown: 2 m}, {height: FILE}, {pressure: FILE} or "   \
-    "{bolts: [[10 mm, 10 mm]], ...}"
+#define WAYS "'flatness', 'crown', 'height', 'pressure' or 'bolts'; give one"
 
 struct wrong {
     const char *text;     /* of scene.yaml */
@@ -49,7 +47,7 @@ static const struct wrong rows[] = {
     {"lambda_c_m: 8e-6\nlambda_s_m: 8e-6\n", 1, "'lambda_c' is 8e-06 m, not above 'lambda_s', 8e-06 m; correct either"},
     {"nominal_area_m2: 1e999\n", 1, "'nominal_area_m2' is 1e999; allowed is 1e-18 to 1e+06 m2"},
     {"convergence: {scales: 1.5}\n", 1, "'scales' is '1.5'; give a whole number"},
-    {"fit_band_m: [1e-5]\n", 1, "'fit_band_m' is a list; give two wavelengths [shortest, longest] in m"},
+    {"fit_band_m: [1e-5]\n", 1, "'fit_band_m' is a list; give two lengths, as [20 mm, 10 mm]"},
     {"fit_band_m:\n- 3e-4\n- 8e-6\n", 2, "'fit_band_m' is [0.0003, 8e-06]; give the shorter wavelength first"},
     /* Words. */
     {"level: lines\n", 1, "unknown level 'lines'; did you mean 'line'?"},
@@ -84,7 +82,7 @@ static const struct wrong rows[] = {
     /* Effects that a key calls for, and what such a key may say. */
     {"material: tin\neffects: [separation, gap]\n", 2,
      "effect 'gap' needs 'gap'; add that key or leave the effect out"},
-    {"material: tin\ncurrent: 5 A\n", 2, "'current' says nothing without 'nominal_area'; add it, or remove 'current'"},
+    {"material: tin\ncurrent: 5 A\n", 2, "'current' needs 'nominal_area'; add it, or remove 'current'"},
     {"effects: [electrical]\nfilm: 0\nmaterial: {E_Pa: 70e9, nu: 0.3, resistivity_ohm_m: 1e-7}\n"
      "gap: {gas: air}\n",
      1, "effect 'thermal' needs 'conductivity'; add it to 'material' or leave the effect out"},
@@ -108,8 +106,7 @@ static const struct wrong rows[] = {
     {"\ngap: {filler: pad, pressure: 1 atm}\n", 2, "'filler' stands beside 'pressure'; remove either"},
     {"gap: {filler: jam}\n", 1,
      "unknown filler 'jam'; allowed: none, silicone grease, filled grease, pad, gallium alloy"},
-    {"gap: {bond_line: 20 um}\n", 1,
-     "'bond_line' says nothing without 'conductivity' or 'filler'; add one, or remove 'bond_line'"},
+    {"gap: {bond_line: 20 um}\n", 1, "'bond_line' needs 'conductivity' or 'filler'; add one, or remove 'bond_line'"},
     {"plating: {thickness: 1 um, metal: chrome}\n", 1,
      "unknown metal 'chrome'; allowed: none, hard gold, soft gold, tin, silver, nickel"},
     {"plating: {thickness: 1 um, metal: none}\n", 1, "'plating' has no 'resistivity' or 'metal'; add one"},
@@ -120,10 +117,10 @@ static const struct wrong rows[] = {
     {"material: tin\nshape: {crown: 2 m}\n", 2, "'shape' is of which area? add 'nominal_area', or 'size' to it"},
     {"material: tin\nnominal_area: 1 mm2\nshape: {crown: 2 m, size: [2 mm, 1 mm]}\n", 3,
      "'size' is 2e-06 m2 and 'nominal_area' 1e-06 m2; correct either"},
-    {"shape: {flatness: 5 um}\n", 1, ONE_WAY},
-    {"shape: {flatness: 5 um, over: 20 mm, crown: 2 m}\n", 1, ONE_WAY},
-    {"shape: {size: [1 mm, 2 mm]}\n", 1, ONE_WAY},
-    {"shape: {flatness: 5 um, over: 1 um}\n", 1, "'over' is 1e-06 m, less than 'flatness'; give the length it is over"},
+    {"shape: {flatness: 5 um}\n", 1, "'flatness' needs 'over'; add it, or remove 'flatness'"},
+    {"shape: {flatness: 5 um, over: 20 mm, crown: 2 m}\n", 1, "'shape' has several of " WAYS},
+    {"shape: {size: [1 mm, 2 mm]}\n", 1, "'shape' has none of " WAYS},
+    {"shape: {flatness: 5 um, over: 1 um}\n", 1, "'over' is 1e-06 m, not above 'flatness', 5e-06 m; correct either"},
     {"shape: {crown: 2 m, size: 2 mm}\n", 1, "'size' is '2 mm'; give two lengths, as [20 mm, 10 mm]"},
     {"title: a\nplating: {thickness: 1 um}\n", 2, "'plating' has no 'resistivity' or 'metal'; add one"},
     /* Every key with a dimension takes its unit, and no other; it goes by one name. */
@@ -157,7 +154,7 @@ static const struct wrong rows[] = {
      "effect 'electrical' needs a material; add 'material' or leave the effect out"},
     {"\ncounterface: copper\n", 2,
      "'counterface' is 'copper', but no material is given to press it on; add 'material'"},
-    {"\nhardness: 40 MPa\n", 2, "'hardness' says nothing without 'material'; add it, or remove 'hardness'"},
+    {"\nhardness: 40 MPa\n", 2, "'hardness' needs 'material'; add it, or remove 'hardness'"},
     {"\nmaterial: galinstan\n", 2, "'material' is 'galinstan', which bears no load; give the material of a body"},
     {"\nmaterial: nickel\nmean_free_path: electron\n", 3,
      "'mean_free_path' is 'electron', which is not known of 'nickel'; give the material's own, such as 40 nm"},
