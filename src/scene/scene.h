@@ -116,6 +116,7 @@ struct scene_direct {
 /** The shape of the parts, as the scene gives it; what comes of it is in struct joint. */
 struct scene_shape {
     enum { SCENE_SHAPE_BULGE, SCENE_SHAPE_HEIGHT, SCENE_SHAPE_PRESSURE, SCENE_SHAPE_BOLTS } kind;
+    bool given;
     double flatness_m, over_m, crown_m; /* 0: not given */
     struct scene_files files;           /* of height or pressure */
     unsigned scale;                     /* 1: the field is that of any load */

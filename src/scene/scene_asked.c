@@ -142,14 +142,13 @@ static bool complete(const struct scene *scene, struct scene_source *source, str
     return check_effects(scene, source, asked);
 }
 
-bool scene_asked_complete(struct scene *scene, struct scene_source *source)
+void scene_asked_complete(struct scene *scene, struct scene_source *source)
 {
     bool good = true;
     for (size_t t = 0; t < scene->target_count && good; t++)
         good = complete(scene, source, &scene->targets[t]);
     for (size_t l = 0; l < scene->limit_count && good; l++)
         good = complete(scene, source, &scene->limits[l]);
-    return good;
 }
 
 double scene_asked_shown(const struct scene_asked *asked, double value)

@@ -232,25 +232,13 @@ static bool read_one_load(struct scene_source *source, const struct scene_key *k
 }
 
 #define BENCHMARK(member) offsetof(struct scene_convergence, member)
-static bool read_convergence(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
-                             void *field)
-{
-    static const struct scene_key keys[] = {
-        {"alpha", NULL, SCENE_NUMBER(BENCHMARK(alpha), 1e-12, 1e12)},
-        {"gamma", NULL, SCENE_NUMBER(BENCHMARK(gamma), 0.0, 5.0)},
-        {"load", NULL, SCENE_NUMBER(BENCHMARK(load), LOAD_LEAST, LOAD_MOST)},
-        {"scan_length", NULL, SCENE_QUANTITY(BENCHMARK(scan_length_m), UNIT_DISTANCE, 1e-9, 1e3),
-         .alias = "scan_length_m"},
-        {"scales", NULL, SCENE_WHOLE(BENCHMARK(scales), 1, 1e6)},
-    };
-    size_t lines[SCENE_COUNT(keys)];
-    struct scene_convergence *convergence = field;
-    convergence->given = true;
-    if (!scene_source_mapping(source, value, SCENE_MAPPING(key->name, keys), lines, field))
-        return false;
-    convergence->load_given = lines[2] > 0;
-    return true;
-}
+static const struct scene_key convergence_keys[] = {
+    {"alpha", NULL, SCENE_NUMBER(BENCHMARK(alpha), 1e-12, 1e12)},
+    {"gamma", NULL, SCENE_NUMBER(BENCHMARK(gamma), 0.0, 5.0)},
+    {"load", NULL, SCENE_NUMBER(BENCHMARK(load), LOAD_LEAST, LOAD_MOST), .given = BENCHMARK(load_given)},
+    {"scan_length", NULL, SCENE_QUANTITY(BENCHMARK(scan_length_m), UNIT_DISTANCE, 1e-9, 1e3), .alias = "scan_length_m"},
+    {"scales", NULL, SCENE_WHOLE(BENCHMARK(scales), 1, 1e6)},
+};
 
 /* How many, or which. */
 static bool read_direct_loads(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
@@ -404,7 +392,7 @@ const struct scene_key scene_keys[] = {
     {"lay",
      "rms slope along over across the lay, of scans taken across it (0: perfect, 1: none), where a surface does not "
      "say its own and is no map; default: no lay",
-     SCENE_NUMBER(AT(lay), 0.0, 1.0)},
+     SCENE_NUMBER(AT(lay), 0.0, 1.0), .given = AT(lay_given)},
     {"measured",
      "{file (a list or pattern: each a run), quantity: ecr or tcr, load_unit, resistance_unit, carry: true (into the "
      "targets' loads)}: resistance measured on the baseline to hold the models against",
@@ -440,7 +428,7 @@ const struct scene_key scene_keys[] = {
      "cheapest runs alone; default: none is asked, and all run",
      SCENE_QUANTITY(AT(accuracy), UNIT_NUMBER | UNIT_PERCENT, 1e-3, 1e3)},
     {"level", "what is taken out of a scan; default: line, of a periodic record the mean alone",
-     SCENE_CHOICE(AT(level), level_names)},
+     SCENE_CHOICE(AT(level), level_names), .given = AT(level_given)},
     {"window", "of the spectrum; default: auto, none for a periodic record, else Hann",
      SCENE_CHOICE(AT(window), spectrum_window_names)},
     {"fit",
@@ -448,7 +436,7 @@ const struct scene_key scene_keys[] = {
      SCENE_CHOICE(AT(fit), power_law_method_names)},
     {"fit_band", "[shortest, longest] wavelength that the fit uses; default: found (auto), all (thesis)", read_fit_band,
      .at = AT(fit_band_m), .least = 1e-12, .most = 1e3, .word = "all", .quantities = UNIT_DISTANCE,
-     .alias = "fit_band_m"},
+     .alias = "fit_band_m", .given = AT(fit_band_given)},
     {"moments", "how slopes and curvatures come about; default: difference",
      SCENE_CHOICE(AT(moments), roughness_moments_names)},
     {"closure", "area and gap of a sinusoid; default: thesis", SCENE_CHOICE(AT(closure), closure_names)},
@@ -489,7 +477,7 @@ const struct scene_key scene_keys[] = {
      "[[10 mm, 10 mm]], force: 2 kN, head: 8.5 mm}, with thickness: [5 mm, 8 mm] of "
      "the parts (default: half-spaces) and size: [20 mm, 10 mm] of the nominal area (default: a square), from a corner "
      "of which places count: conductance and ECR of the whole of it; default: the parts are flat",
-     scene_shape_read, .at = 0, .within = &scene_shape_ways},
+     scene_shape_read, .at = 0, .given = AT(shape.given), .within = &scene_shape_ways},
     {"plating",
      "{thickness, metal: hard gold, soft gold, tin, silver or nickel, or its resistivity, sides: one or both (the "
      "surface's comes first)}; thicker than indents are deep, a metal brings its hardness, below that of 'hardness'; "
@@ -500,7 +488,8 @@ const struct scene_key scene_keys[] = {
      SCENE_QUANTITY(AT(joint.current_A), UNIT_CURRENT, 1e-12, 1e9), .needs = "nominal_area"},
     {"convergence",
      "{alpha, gamma, load, scan_length, scales} of the convergence study; default: effects: auto runs none",
-     read_convergence, .at = AT(convergence)},
+     scene_source_within, .at = AT(convergence), .given = AT(convergence.given),
+     .within = SCENE_MAPPING("convergence", convergence_keys)},
     {"surfaces",
      "a list of {name, file, along (scans along the lay) or lay, x_unit, z_unit, column, material, "
      "counterface, hardness, measured}; default: every scan in the directory by its name, a sub-directory a surface of "

@@ -18,7 +18,7 @@ static const double hole = 0.65;       /* over the head: ISO 273, medium, beneat
 enum { BOLTS_MOST = 1000 };
 
 /* Fails in the line of the key. */
-#define SHAPE_FAIL(source, ...) scene_source_fail((source), scene_keys_line((source), "shape"), __VA_ARGS__)
+#define SHAPE_FAIL(source, ...) FAIL_KEY((source), "shape", __VA_ARGS__)
 
 /* Places, each a pair. */
 static bool read_bolts(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value, void *field)
@@ -72,25 +72,23 @@ bool scene_shape_read(struct scene_source *source, const struct scene_key *key, 
            scene_source_fail(source, lines[HEIGHT], "'height' is one map, not %zu", shape->files.count);
 }
 
-bool scene_shape_size(struct scene *scene, struct scene_source *source)
+void scene_shape_size(struct scene *scene, struct scene_source *source)
 {
     const struct scene_shape *shape = &scene->shape;
     double *side_m = scene->joint.size_m, area_m2 = side_m[0] * side_m[1];
-    if (scene_keys_line(source, "shape") == 0)
-        return true;
+    if (!shape->given)
+        return;
     scene->joint.bulge_per_m = shape->crown_m > 0  ? 1 / (2 * shape->crown_m)
                                : shape->over_m > 0 ? 4 * shape->flatness_m / pow(shape->over_m, 2)
                                                    : 0;
     if (area_m2 > 0 && isnan(scene->nominal_area_m2))
         scene->nominal_area_m2 = area_m2;
     if (isnan(scene->nominal_area_m2))
-        return SHAPE_FAIL(source, "'shape' is of which area? add 'nominal_area', or 'size' to it");
-    if (area_m2 > 0 && !(fabs(area_m2 / scene->nominal_area_m2 - 1) < 1e-3))
-        return SHAPE_FAIL(source, "'size' is %g m2 and 'nominal_area' %g m2; correct either", area_m2,
-                          scene->nominal_area_m2);
+        SHAPE_FAIL(source, "'shape' is of which area? add 'nominal_area', or 'size' to it");
+    else if (area_m2 > 0 && !(fabs(area_m2 / scene->nominal_area_m2 - 1) < 1e-3))
+        SHAPE_FAIL(source, "'size' is %g m2 and 'nominal_area' %g m2; correct either", area_m2, scene->nominal_area_m2);
     if (!(area_m2 > 0))
         side_m[0] = side_m[1] = sqrt(scene->nominal_area_m2);
-    return true;
 }
 
 /* ---- Files ---- */
@@ -351,31 +349,29 @@ static bool check_bolts(struct scene_source *source, const struct shape_bolts *b
     return true;
 }
 
-bool scene_shape_complete(struct scene *scene, struct scene_source *source)
+void scene_shape_complete(struct scene *scene, struct scene_source *source)
 {
     struct scene_shape *shape = &scene->shape;
     struct joint *joint = &scene->joint;
     struct shape_bolts *bolts = &shape->bolts;
-    if (scene_keys_line(source, "shape") == 0 || shape->kind == SCENE_SHAPE_BULGE)
-        return true;
+    struct status problem = {0};
+    if (!shape->given || shape->kind == SCENE_SHAPE_BULGE)
+        return;
     joint->fields = calloc(shape->files.count + 1, sizeof *joint->fields);
-    if (!joint->fields)
-        return scene_source_memory(source);
     joint->pressed = shape->kind != SCENE_SHAPE_HEIGHT;
-    for (size_t i = 0; i < shape->files.count; i++)
-        if (!(joint->pressed ? read_pressure : read_height)(source, shape->files.path[i]))
-            return false;
-    if (bolts->count > 0) {
-        struct status problem = {0};
+    bool good = joint->fields || scene_source_memory(source);
+    for (size_t i = 0; i < shape->files.count && good; i++)
+        good = (joint->pressed ? read_pressure : read_height)(source, shape->files.path[i]);
+    if (good && bolts->count > 0) {
         bolts->hole_m = hole * shape->head_m / 2;
         bolts->reach_m = shape->head_m / 2 + fmin(joint->thickness_m[0], joint->thickness_m[1]);
         joint->field_count = 1;
-        if (!check_bolts(source, bolts, joint->size_m))
-            return false;
-        if (shape_field_bolts(joint->fields, bolts, joint->size_m, &problem) != STATUS_OK)
-            return SHAPE_FAIL(source, "%s", problem.message);
+        good = check_bolts(source, bolts, joint->size_m) &&
+               (shape_field_bolts(joint->fields, bolts, joint->size_m, &problem) == STATUS_OK ||
+                SHAPE_FAIL(source, "%s", problem.message));
     }
-    return !joint->pressed || hold_load(scene, source);
+    if (good && joint->pressed)
+        (void)hold_load(scene, source);
 }
 
 void scene_shape_free(struct scene *scene)

@@ -213,6 +213,8 @@ static bool read_pair(size_t *k, struct scene_source *source, const yaml_node_pa
     lines[*k] = line;
     if (is_null(value))
         return scene_source_fail(source, line, "'%s' has no value; give one or remove the line", key.name);
+    if (key.given)
+        *(bool *)((char *)into + key.given) = true;
     return key.read(source, &key, value, (char *)into + key.at);
 }
 
@@ -300,6 +302,13 @@ bool scene_source_mapping(struct scene_source *source, const yaml_node_t *node, 
         lines[k] = none[k] ? 0 : lines[k];
     return mapping == source->whole || /* the command line has its say first */
            scene_source_rules(source, mapping, lines, scene_source_line(node), into);
+}
+
+bool scene_source_within(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
+                         void *field)
+{
+    size_t lines[SCENE_KEYS_MOST];
+    return scene_source_mapping(source, value, key->within, lines, field);
 }
 
 size_t scene_keys_line(const struct scene_source *source, const char *name)

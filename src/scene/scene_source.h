@@ -16,6 +16,7 @@ struct scene_source {
     struct scene *scene; /* that is read: its path and directory are known */
     struct status *status;
     yaml_document_t document;
+    const struct scene_overrides *overrides;
     const char *option;                /* of the command line, where that is read now */
     bool effects_overridden;           /* by the command line */
     const struct scene_mapping *whole; /* the scene's keys */
@@ -40,6 +41,7 @@ struct scene_key {
     const char *word;    /* numbers: a word that leaves the default, or NULL */
     unsigned quantities; /* quantities: what they may be, enum unit_quantity bits */
     const char *alias;   /* an older name, or NULL: not shown in messages where the other will do */
+    size_t given;        /* offset of a bool that tells that it is; 0: there is none */
     /* What it asks of the other keys of its mapping, or NULL. A list: "a, b or c" is a, and one of b and c. */
     const char *needs;    /* what has to stand beside it */
     const char *excludes; /* what may not: of "a, b" neither */
@@ -72,15 +74,15 @@ struct scene_mapping {
 #define SCENE_RULED(name, keys, ...) (&(const struct scene_mapping){(name), (keys), SCENE_COUNT(keys), __VA_ARGS__})
 /** Fails where a rule is broken: by keys that stand in lines[k], 0: they do not, of a mapping in line `line` that was
  * read into `into`. */
-MUST_CHECK bool scene_source_rules(struct scene_source *source, const struct scene_mapping *mapping,
-                                   const size_t *lines, size_t line, const void *into);
+bool scene_source_rules(struct scene_source *source, const struct scene_mapping *mapping, const size_t *lines,
+                        size_t line, const void *into);
 /** Reads it into `into` and checks its rules; lines[k] is where keys[k] is given, 0: it is not, or its word is `none`
  * and it says so. */
 MUST_CHECK bool scene_source_mapping(struct scene_source *source, const yaml_node_t *node,
                                      const struct scene_mapping *mapping, size_t *lines, void *into);
 /** Reads the text of an option of the command line as the value of `key`. Error: STATUS_USAGE. */
-MUST_CHECK bool scene_source_option(struct scene_source *source, const struct scene_key *key, const char *option,
-                                    const char *text, void *into);
+bool scene_source_option(struct scene_source *source, const struct scene_key *key, const char *option, const char *text,
+                         void *into);
 
 /** Items of a node that is a list or stands for a list of one. */
 size_t scene_source_item_count(const yaml_node_t *node);
@@ -91,6 +93,7 @@ bool scene_source_is(const yaml_node_t *node, const char *word);
 
 /** Fails with "path:line: " before the message, or with the option that is read now; the line may be that of a node. */
 bool scene_source_fail(struct scene_source *source, size_t line, const char *format, ...) PRINTF_LIKE(3, 4);
+#define FAIL_KEY(source, key, ...)              scene_source_fail((source), scene_keys_line((source), (key)), __VA_ARGS__)
 #define scene_source_fail_at(source, node, ...) scene_source_fail((source), scene_source_line(node), __VA_ARGS__)
 /** Fails: the value of `what` is not of the type `expected` ("a number"). */
 bool scene_source_wrong_type(struct scene_source *source, const yaml_node_t *node, const char *what,
@@ -107,6 +110,8 @@ bool scene_source_memory(struct scene_source *source);
  * unit), two of them, a size_t, an enum, a malloc'ed char *, a char array. */
 scene_reader scene_source_quantity, scene_source_pair, scene_source_whole, scene_source_choice, scene_source_text,
     scene_source_short_text;
+/** The mapping key->within, with nothing to it but its keys and rules. */
+scene_reader scene_source_within;
 /** The spelling of a unit of key->quantities, into a char[UNIT_LENGTH]. */
 scene_reader scene_source_unit;
 /** A quantity with all there is to know of it. */
@@ -175,7 +180,7 @@ MUST_CHECK enum status_code scene_files_add(struct scene_files *files, const cha
  * scene.yaml, no sidecar, and may be a scan, and one for each such sub-directory that holds files, which are its
  * repeated scans; what is passed over is told in scene->passed_over; names and order as scene_read() says. Errors:
  * STATUS_IO, STATUS_MEMORY. */
-MUST_CHECK enum status_code scene_files_list(struct scene *scene, struct status *status);
+enum status_code scene_files_list(struct scene *scene, struct status *status);
 
 /** The name of a surface read from `file`: its last component, without the ending unless `ending`; malloc'ed. */
 char *scene_files_name(const char *file, bool ending);
@@ -187,14 +192,14 @@ void scene_surfaces_free(struct scene_surface *surface);
 scene_reader scene_shape_read;
 extern const struct scene_mapping scene_shape_ways;
 /** The sides of the nominal area, once that is known, and its fields, once the bodies are. */
-MUST_CHECK bool scene_shape_size(struct scene *scene, struct scene_source *source);
-MUST_CHECK bool scene_shape_complete(struct scene *scene, struct scene_source *source);
+void scene_shape_size(struct scene *scene, struct scene_source *source);
+void scene_shape_complete(struct scene *scene, struct scene_source *source);
 void scene_shape_free(struct scene *scene);
 
 /* What a scene asks of the contact, into a struct scene: `targets`, a list of `key: value` pairs, each a quantity,
  * whose load is sought; `limits` to be kept, `key: {most: value, least: value}`. */
 scene_reader scene_asked_read;
 /** Turns what was read into the models' quantities, now that the nominal area is known. */
-MUST_CHECK bool scene_asked_complete(struct scene *scene, struct scene_source *source);
+void scene_asked_complete(struct scene *scene, struct scene_source *source);
 
 #endif

@@ -249,7 +249,7 @@ static const struct scene_key surface_keys[] = {
     {"name", NULL, scene_source_text, .at = AT(name)},
     {"file", NULL, scene_surfaces_files, .at = AT(files)},
     {"along", NULL, scene_surfaces_files, .at = AT(along)},
-    {"lay", NULL, SCENE_NUMBER(AT(lay), 0.0, 1.0), .excludes = "along"},
+    {"lay", NULL, SCENE_NUMBER(AT(lay), 0.0, 1.0), .given = AT(lay_given), .excludes = "along"},
     {"material", NULL, scene_surfaces_body, .at = AT(bodies)},
     {"counterface", NULL, read_body, .at = AT(bodies)},
     {"hardness", NULL, SCENE_HARDNESS(AT(bodies))},
@@ -266,7 +266,6 @@ static bool read_surface(struct scene_source *source, const yaml_node_t *node, s
     size_t lines[SCENE_COUNT(surface_keys)];
     if (!scene_source_mapping(source, node, &scene_surfaces_each, lines, surface))
         return false;
-    surface->lay_given = lines[3] > 0;
     if (surface->name && strlen(surface->name) > limit_most(LIMIT_NAME_BYTES))
         return scene_source_fail(source, lines[0], "a name of %zu bytes%s", strlen(surface->name),
                                  limit_words(LIMIT_NAME_BYTES).text);
