@@ -47,7 +47,7 @@ static bool read_ends(struct scene_source *source, const struct scene_key *key, 
     keys[0].name = "most";
     keys[1].name = "least";
     keys[0].read = keys[1].read = read_value;
-    return scene_source_mapping(source, value, SCENE_RULED(key->name, keys, .required = "most or least"), lines, list);
+    return scene_source_mapping(source, value, SCENE_RULED(key->name, keys, .needs = "most or least"), lines, list);
 }
 
 bool scene_asked_read(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value, void *field)

@@ -483,7 +483,7 @@ const struct scene_key scene_keys[] = {
      "surface's comes first)}; thicker than indents are deep, a metal brings its hardness, below that of 'hardness'; "
      "default: none",
      read_plating, .at = AT(joint),
-     .within = SCENE_RULED("plating", plating_keys, .required = "thickness, resistivity or metal")},
+     .within = SCENE_RULED("plating", plating_keys, .needs = "thickness, resistivity or metal")},
     {"current", "through the contact, for its voltage and temperature; default: none",
      SCENE_QUANTITY(AT(joint.current_A), UNIT_CURRENT, 1e-12, 1e9), .needs = "nominal_area"},
     {"convergence",

@@ -251,35 +251,31 @@ static bool next_demand(struct demand *out, const char **rest, const struct scen
 bool scene_source_rules(struct scene_source *source, const struct scene_mapping *mapping, const size_t *lines,
                         size_t line, const void *into)
 {
+    const struct scene_key whole = {.name = mapping->name, .needs = mapping->needs};
     struct demand demand;
-    for (const char *rest = mapping->required; next_demand(&demand, &rest, mapping, lines);)
-        if (demand.given == 0)
-            return scene_source_fail(source, line, "'%s' has no %s; add %s", mapping->name, demand.text,
-                                     demand.keys > 1 ? "one" : "it");
-    for (const char *rest = mapping->one_of; next_demand(&demand, &rest, mapping, lines);)
+    for (const char *ways = mapping->one_of; next_demand(&demand, &ways, mapping, lines);)
         if (demand.given != 1)
             return scene_source_fail(source, line, "'%s' has %s of %s; give one", mapping->name,
                                      demand.given ? "several" : "none", demand.text);
-    for (size_t k = 0; k < mapping->count; k++) {
-        const struct scene_key *key = &mapping->keys[k];
-        const char *needs = lines[k] ? key->needs : NULL, *excludes = lines[k] ? key->excludes : NULL,
-                   *above = lines[k] ? key->above : NULL;
-        while (next_demand(&demand, &needs, mapping, lines))
+    for (size_t i = 0; i <= mapping->count; i++) {
+        const struct scene_key *key = i == 0 ? &whole : &mapping->keys[i - 1];
+        const size_t own = i == 0 ? line : lines[i - 1];
+        const char *needs = key->needs, *excludes = key->excludes, *above = key->above;
+        while (own && next_demand(&demand, &needs, mapping, lines))
             if (demand.given == 0)
-                return scene_source_fail(source, lines[k], "'%s' needs %s; add %s, or remove '%s'", key->name,
+                return scene_source_fail(source, own, "'%s' needs %s; add %s, or leave '%s' out", key->name,
                                          demand.text, demand.keys > 1 ? "one" : "it", key->name);
-        while (next_demand(&demand, &excludes, mapping, lines))
+        while (own && next_demand(&demand, &excludes, mapping, lines))
             if (demand.given > 0)
-                return scene_source_fail(source, lines[k], "'%s' stands beside %s; remove either", key->name,
-                                         demand.text);
-        while (next_demand(&demand, &above, mapping, lines)) {
-            double own = *(const double *)((const char *)into + key->at),
-                   less = *(const double *)((const char *)into + mapping->keys[demand.key].at);
-            const char *si = unit_si((enum unit_quantity)key->quantities);
-            if (demand.given > 0 && !(own > less))
-                return scene_source_fail(source, lines[k], "'%s' is %g %s, not above %s, %g %s; correct either",
-                                         key->name, own, si, demand.text, less, si);
-        }
+                return scene_source_fail(source, own, "'%s' stands beside %s; remove either", key->name, demand.text);
+        if (!own || !next_demand(&demand, &above, mapping, lines) || demand.given == 0)
+            continue;
+        const double more = *(const double *)((const char *)into + key->at),
+                     less = *(const double *)((const char *)into + mapping->keys[demand.key].at);
+        const char *si = unit_si((enum unit_quantity)key->quantities);
+        if (!(more > less))
+            return scene_source_fail(source, own, "'%s' is %g %s, not above %s, %g %s; correct either", key->name, more,
+                                     si, demand.text, less, si);
     }
     return true;
 }

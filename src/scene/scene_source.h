@@ -43,11 +43,10 @@ struct scene_key {
     const char *alias;   /* an older name, or NULL: not shown in messages where the other will do */
     size_t given;        /* offset of a bool that tells that it is; 0: there is none */
     /* What it asks of the other keys of its mapping, or NULL. A list: "a, b or c" is a, and one of b and c. */
-    const char *needs;    /* what has to stand beside it */
-    const char *excludes; /* what may not: of "a, b" neither */
-    const char *above;    /* quantities: the key whose number has to be less */
-    const struct scene_mapping
-        *within; /* that its value is, or each of a list; NULL: none, or it is made as it is read */
+    const char *needs;                  /* what has to stand beside it */
+    const char *excludes;               /* what may not: of "a, b" neither */
+    const char *above;                  /* quantities: the key whose number has to be less */
+    const struct scene_mapping *within; /* that its value is, or each of a list; NULL: none, or made as it is read */
 };
 
 /** The keys of scene.yaml, which lie in a struct scene. */
@@ -67,10 +66,10 @@ struct scene_mapping {
     const char *name;
     const struct scene_key *keys;
     size_t count;
-    const char *required; /* what has to be there */
-    const char *one_of;   /* of "a or b" exactly one has to */
+    const char *needs;  /* what has to be there */
+    const char *one_of; /* of "a or b" exactly one has to */
 };
-#define SCENE_MAPPING(name, keys)    SCENE_RULED(name, keys, .required = NULL)
+#define SCENE_MAPPING(name, keys)    SCENE_RULED(name, keys, .needs = NULL)
 #define SCENE_RULED(name, keys, ...) (&(const struct scene_mapping){(name), (keys), SCENE_COUNT(keys), __VA_ARGS__})
 /** Fails where a rule is broken: by keys that stand in lines[k], 0: they do not, of a mapping in line `line` that was
  * read into `into`. */

@@ -52,7 +52,7 @@ static bool read_material(struct scene_source *source, const struct scene_key *k
             (struct scene_key){row->name, NULL, SCENE_QUANTITY(row->offset, row->quantity, row->least, row->most),
                                .alias = strcmp(row->name, row->key) != 0 ? row->key : NULL};
     }
-    const struct scene_mapping mapping = {key->name, keys, 1 + material_property_count, .required = "E, nu"};
+    const struct scene_mapping mapping = {key->name, keys, 1 + material_property_count, .needs = "E, nu"};
     *material = material_unknown("custom");
     material->source = "given in scene.yaml";
     return scene_source_mapping(source, value, &mapping, lines, material);
@@ -133,7 +133,7 @@ static const struct scene_key measured_keys[] = {
     {"carry", NULL, SCENE_YES(MEASURED(carry))},
 };
 const struct scene_mapping scene_keys_of_measured = {"measured", measured_keys, SCENE_COUNT(measured_keys),
-                                                     .required = "file"};
+                                                     .needs = "file"};
 
 bool scene_keys_measured(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
                          void *field)
@@ -227,7 +227,7 @@ static const struct scene_key vickers_keys[] = {
     {"c2", NULL, SCENE_NUMBER(offsetof(struct scene_bodies, hardness_exponent), -0.99, 0)},
 };
 const struct scene_mapping scene_surfaces_vickers = {"hardness", vickers_keys, SCENE_COUNT(vickers_keys),
-                                                     .required = "c1, c2"};
+                                                     .needs = "c1, c2"};
 
 bool scene_surfaces_hardness(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
                              void *field)
@@ -258,8 +258,7 @@ static const struct scene_key surface_keys[] = {
     {"column", NULL, read_columns, .at = 0},
     {"measured", NULL, SCENE_MEASURED(AT(measured))},
 };
-const struct scene_mapping scene_surfaces_each = {"surfaces", surface_keys, SCENE_COUNT(surface_keys),
-                                                  .required = "file"};
+const struct scene_mapping scene_surfaces_each = {"surfaces", surface_keys, SCENE_COUNT(surface_keys), .needs = "file"};
 
 static bool read_surface(struct scene_source *source, const yaml_node_t *node, struct scene_surface *surface)
 {

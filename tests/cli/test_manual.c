@@ -115,8 +115,8 @@ static void add_rules(struct text *out, const char *of, const struct scene_key *
             text_add(out, "; %s%s%s %s", of, *of ? " " : "", rules[r].verb, rules[r].list);
     if (!key->within)
         return;
-    if (key->within->required)
-        text_add(out, "; its mapping needs %s", key->within->required);
+    if (key->within->needs)
+        text_add(out, "; its mapping needs %s", key->within->needs);
     if (key->within->one_of)
         text_add(out, "; its mapping has one of %s", key->within->one_of);
     for (size_t k = 0; k < key->within->count; k++)

@@ -110,7 +110,7 @@ static void give(struct given *given, size_t k)
 static struct given least_of(const struct scene_mapping *mapping, bool list, size_t but)
 {
     struct given given = {.mapping = mapping, .list = list};
-    const struct list required = list_of(mapping, mapping->required);
+    const struct list required = list_of(mapping, mapping->needs);
     for (size_t i = 0; i < required.count; i++)
         if (required.demand[i] != but && (i == 0 || required.demand[i] != required.demand[i - 1]))
             give(&given, required.keys[i]);
@@ -191,7 +191,7 @@ static size_t check_demands(const struct scene_mapping *mapping, bool is_list, c
                 give(&given, list.keys[j]);
         struct given lacking = given;
         give_way(&lacking, &list);
-        check(&lacking, k, own ? "' has no '" : "' needs '");
+        check(&lacking, k, "' needs '");
         give(&given, list.keys[i]);
         give_way(&given, &list);
         check(&given, k, NULL);
@@ -245,7 +245,7 @@ static size_t check_above(const struct scene_mapping *mapping, bool is_list, siz
 
 static size_t check_mapping(const struct scene_mapping *mapping, bool is_list)
 {
-    size_t rules = check_demands(mapping, is_list, mapping->required, SCENE_KEYS_MOST) + check_one_of(mapping, is_list);
+    size_t rules = check_demands(mapping, is_list, mapping->needs, SCENE_KEYS_MOST) + check_one_of(mapping, is_list);
     for (size_t k = 0; k < mapping->count; k++)
         rules += check_demands(mapping, is_list, mapping->keys[k].needs, k) + check_excludes(mapping, is_list, k) +
                  check_above(mapping, is_list, k);
