@@ -198,24 +198,21 @@ static void apply_load_unit(struct scene_load *load)
         load->values[i] *= load->unit.factor;
 }
 
-static bool read_load(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value, void *field)
+static bool complete_load(struct scene_source *source, const size_t *lines, size_t line, void *into)
 {
-    struct scene_load *load = field;
-    size_t lines[SCENE_COUNT(load_keys)];
-    if (!scene_source_mapping(source, value, key->within, lines, load))
-        return false;
+    struct scene_load *load = into;
     if (lines[LOAD_UNIT] && load->kind != UNIT_NUMBER)
         return scene_source_fail(source, lines[LOAD_UNIT], "'unit' stands beside loads that have theirs; remove it");
     if (lines[LOAD_UNIT])
         apply_load_unit(load);
     if (load->kind != UNIT_NUMBER && !load->values && !(lines[LOAD_FROM] && lines[LOAD_TO]))
-        return scene_source_fail_at(source, value, "'load' is %s, of which there is no default; give 'from' and 'to'",
-                                    unit_quantity_name(load->kind));
+        return scene_source_fail(source, line, "'load' is %s, of which there is no default; give 'from' and 'to'",
+                                 unit_quantity_name(load->kind));
     if (!load->values && load->from > load->to)
-        return scene_source_fail_at(source, value, "'from' is %g, above 'to', %g; exchange them", load->from, load->to);
+        return scene_source_fail(source, line, "'from' is %g, above 'to', %g; exchange them", load->from, load->to);
     return load->values || load->points > 1 || load->from == load->to ||
-           scene_source_fail_at(source, value, "'points' is 1, too few from %g to %g; give 2 or more, or 'values'",
-                                load->from, load->to);
+           scene_source_fail(source, line, "'points' is 1, too few from %g to %g; give 2 or more, or 'values'",
+                             load->from, load->to);
 }
 
 static bool read_one_load(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
@@ -274,21 +271,21 @@ static const struct scene_key direct_keys[] = {
 };
 const struct scene_key *const scene_budget_key = &direct_keys[DIRECT_BUDGET];
 
-static bool read_direct(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value, void *field)
+static bool complete_direct(struct scene_source *source, const size_t *lines, size_t line, void *into)
 {
-    struct scene_direct *direct = field;
-    size_t lines[SCENE_COUNT(direct_keys)];
-    if (scene_source_is(value, "off"))
-        return true;
+    struct scene_direct *direct = into;
+    const size_t points = direct->grid * direct->grid * direct->seeds;
     direct->called = true;
-    if (!scene_source_mapping(source, value, key->within, lines, field))
-        return false;
     if (direct->grid % 2 != 0)
         return scene_source_fail(source, lines[0], "'grid' is %zu; give an even number", direct->grid);
-    size_t points = direct->grid * direct->grid * direct->seeds;
     return points <= limit_most(LIMIT_DIRECT_POINTS) ||
-           scene_source_fail_at(source, value, "%zu x %zu points, %zu times%s", direct->grid, direct->grid,
-                                direct->seeds, limit_words(LIMIT_DIRECT_POINTS).text);
+           scene_source_fail(source, line, "%zu x %zu points, %zu times%s", direct->grid, direct->grid, direct->seeds,
+                             limit_words(LIMIT_DIRECT_POINTS).text);
+}
+
+static bool read_direct(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value, void *field)
+{
+    return scene_source_is(value, "off") || scene_source_within(source, key, value, field);
 }
 
 static bool read_fluid(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value, void *field)
@@ -328,12 +325,10 @@ static const struct scene_key gap_keys[] = {
     {"temperature", NULL, SCENE_QUANTITY(JOINT(temperature_K), UNIT_TEMPERATURE, 1.0, 1e4)},
     {"liquid", NULL, read_fluid, .at = 0, .excludes = "conductivity, filler, bond_line, gas, pressure, accommodation"},
 };
-static bool read_gap(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value, void *field)
+static bool complete_gap(struct scene_source *source, const size_t *lines, size_t line, void *into)
 {
-    struct joint *joint = field;
-    size_t lines[SCENE_COUNT(gap_keys)];
-    if (!scene_source_mapping(source, value, key->within, lines, field))
-        return false;
+    struct joint *joint = into;
+    (void)line;
     bool medium = lines[0] || joint->filler;
     if (joint->filler && !lines[0])
         joint->conductivity_W_per_mK = joint_fillers[joint->filler].value;
@@ -359,13 +354,11 @@ static const struct scene_key plating_keys[] = {
     {"sides", NULL, SCENE_CHOICE(JOINT(both_plated), sides)},
     {"metal", NULL, SCENE_CHOICE(JOINT(plating), joint_plating_names), .word = "none"},
 };
-static bool read_plating(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
-                         void *field)
+static bool complete_plating(struct scene_source *source, const size_t *lines, size_t line, void *into)
 {
-    struct joint *joint = field;
-    size_t lines[SCENE_COUNT(plating_keys)];
-    if (!scene_source_mapping(source, value, key->within, lines, field))
-        return false;
+    struct joint *joint = into;
+    (void)source;
+    (void)line;
     if (joint->plating && lines[1] == 0)
         joint->plating_ohm_m = joint_platings[joint->plating].value;
     return true;
@@ -410,7 +403,7 @@ const struct scene_key scene_keys[] = {
     {"load",
      "{from, to, points}, spaced by equal factors, or {values: [...]}, as P/(A_n E') or with a unit, in which charts "
      "and tables then stand; default: 1e-6 to 0.1, and a decade beyond operating_load, in 121 points",
-     read_load, .at = AT(load), .within = SCENE_MAPPING("load", load_keys)},
+     scene_source_within, .at = AT(load), .within = SCENE_RULED("load", load_keys, .then = complete_load)},
     {"operating_load",
      "where the first page stands; its unit is that of charts and tables where `load` has no loads; default: the "
      "middle "
@@ -461,14 +454,14 @@ const struct scene_key scene_keys[] = {
     {"direct",
      "off, or {grid, seeds, loads (how many, or a list), hardness, budget, surfaces: baseline or all}: the direct "
      "solution; default: off",
-     read_direct, .at = AT(direct), .within = SCENE_MAPPING("direct", direct_keys)},
+     read_direct, .at = AT(direct), .within = SCENE_RULED("direct", direct_keys, .then = complete_direct)},
     {"gap",
      "{gas: air, nitrogen, helium, argon, hydrogen, carbon dioxide, SF6, neon, krypton or vacuum, pressure, "
      "temperature, "
      "accommodation}, {liquid: water, oil or glycerin, temperature} or {filler: silicone grease, filled grease, pad or "
      "gallium alloy, or its conductivity, bond_line} of what fills the gaps: the heat that it carries; default: "
      "nothing is said of it",
-     read_gap, .at = AT(joint), .within = SCENE_MAPPING("gap", gap_keys)},
+     scene_source_within, .at = AT(joint), .within = SCENE_RULED("gap", gap_keys, .then = complete_gap)},
     {"film", "insulating film on the spots, a resistance times an area; default: none",
      SCENE_QUANTITY(AT(joint.film_ohm_m2), UNIT_RESISTANCE_AREA, 0.0, 1e6)},
     {"shape",
@@ -477,13 +470,14 @@ const struct scene_key scene_keys[] = {
      "[[10 mm, 10 mm]], force: 2 kN, head: 8.5 mm}, with thickness: [5 mm, 8 mm] of "
      "the parts (default: half-spaces) and size: [20 mm, 10 mm] of the nominal area (default: a square), from a corner "
      "of which places count: conductance and ECR of the whole of it; default: the parts are flat",
-     scene_shape_read, .at = 0, .given = AT(shape.given), .within = &scene_shape_ways},
+     scene_source_within, .at = 0, .given = AT(shape.given), .within = &scene_shape_ways},
     {"plating",
      "{thickness, metal: hard gold, soft gold, tin, silver or nickel, or its resistivity, sides: one or both (the "
      "surface's comes first)}; thicker than indents are deep, a metal brings its hardness, below that of 'hardness'; "
      "default: none",
-     read_plating, .at = AT(joint),
-     .within = SCENE_RULED("plating", plating_keys, .needs = "thickness, resistivity or metal")},
+     scene_source_within, .at = AT(joint),
+     .within =
+         SCENE_RULED("plating", plating_keys, .needs = "thickness, resistivity or metal", .then = complete_plating)},
     {"current", "through the contact, for its voltage and temperature; default: none",
      SCENE_QUANTITY(AT(joint.current_A), UNIT_CURRENT, 1e-12, 1e9), .needs = "nominal_area"},
     {"convergence",

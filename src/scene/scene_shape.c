@@ -55,15 +55,11 @@ static const struct scene_key shape_keys[] = {
     {"force", NULL, SCENE_QUANTITY(AT(bolts.force_N), UNIT_FORCE, 1e-9, 1e9), .needs = "bolts"},
     {"head", NULL, SCENE_QUANTITY(AT(head_m), UNIT_DISTANCE, 1e-4, 1.0), .needs = "bolts"},
 };
-const struct scene_mapping scene_shape_ways = {"shape", shape_keys, SCENE_COUNT(shape_keys),
-                                               .one_of = "flatness or crown or height or pressure or bolts"};
 
-bool scene_shape_read(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value, void *field)
+static bool complete_way(struct scene_source *source, const size_t *lines, size_t line, void *into)
 {
-    struct scene_shape *shape = &source->scene->shape;
-    size_t lines[SCENE_COUNT(shape_keys)];
-    if (!scene_source_mapping(source, value, key->within, lines, field))
-        return false;
+    struct scene_shape *shape = &((struct scene *)into)->shape;
+    (void)line;
     shape->kind = lines[HEIGHT]     ? SCENE_SHAPE_HEIGHT
                   : lines[PRESSURE] ? SCENE_SHAPE_PRESSURE
                   : lines[BOLTS]    ? SCENE_SHAPE_BOLTS
@@ -71,6 +67,10 @@ bool scene_shape_read(struct scene_source *source, const struct scene_key *key, 
     return !lines[HEIGHT] || shape->files.count == 1 ||
            scene_source_fail(source, lines[HEIGHT], "'height' is one map, not %zu", shape->files.count);
 }
+
+const struct scene_mapping scene_shape_ways = {"shape", shape_keys, SCENE_COUNT(shape_keys),
+                                               .one_of = "flatness or crown or height or pressure or bolts",
+                                               .then = complete_way};
 
 void scene_shape_size(struct scene *scene, struct scene_source *source)
 {

@@ -131,8 +131,7 @@ bool scene_source_read(struct scene_source *source, const char *bytes, size_t le
         !parse(source, bytes, length, true))
         return false;
     const yaml_node_t *root = yaml_document_get_root_node(&source->document);
-    bool good =
-        !root || is_null(root) || scene_source_mapping(source, root, source->whole, source->lines, source->scene);
+    bool good = !root || is_null(root) || scene_source_mapping(source, root, source->whole, source->scene);
     yaml_document_delete(&source->document);
     return good;
 }
@@ -179,9 +178,9 @@ bool scene_source_unknown(struct scene_source *source, const yaml_node_t *node, 
                                 scene_words_hint(shown.text, names, count, count).text);
 }
 
-/* Which of the keys it is goes to `*k`. */
-static bool read_pair(size_t *k, struct scene_source *source, const yaml_node_pair_t *pair,
-                      const struct scene_mapping *mapping, size_t *lines, void *into)
+/* Of key k, lines[k] and none[k], whether its word is `none` and it says so. */
+static bool read_pair(struct scene_source *source, const yaml_node_pair_t *pair, const struct scene_mapping *mapping,
+                      size_t *lines, bool *none, void *into)
 {
     const yaml_node_t *name = yaml_document_get_node(&source->document, pair->key);
     const yaml_node_t *value = yaml_document_get_node(&source->document, pair->value);
@@ -204,13 +203,14 @@ static bool read_pair(size_t *k, struct scene_source *source, const yaml_node_pa
         return scene_source_fail(source, line, "unknown key '%s'; %s", shown.text,
                                  scene_words_hint(shown.text, names, count, all).text);
     }
-    *k = key_of[n];
-    struct scene_key key = keys[*k];
+    const size_t k = key_of[n];
+    struct scene_key key = keys[k];
     key.name = names[n];
-    if (lines[*k] != 0)
+    if (lines[k] != 0)
         return scene_source_fail(source, line, "'%s' is given twice, first in line %zu; remove one", key.name,
-                                 lines[*k]);
-    lines[*k] = line;
+                                 lines[k]);
+    lines[k] = line;
+    none[k] = key.word && strcmp(key.word, "none") == 0 && scene_source_is(value, "none");
     if (is_null(value))
         return scene_source_fail(source, line, "'%s' has no value; give one or remove the line", key.name);
     if (key.given)
@@ -281,30 +281,27 @@ bool scene_source_rules(struct scene_source *source, const struct scene_mapping 
 }
 
 bool scene_source_mapping(struct scene_source *source, const yaml_node_t *node, const struct scene_mapping *mapping,
-                          size_t *lines, void *into)
+                          void *into)
 {
     bool none[SCENE_KEYS_MOST] = {false};
-    memset(lines, 0, mapping->count * sizeof *lines);
+    size_t own[SCENE_KEYS_MOST] = {0}, *lines = mapping == source->whole ? source->lines : own;
+    const size_t line = scene_source_line(node);
     if (node->type != YAML_MAPPING_NODE)
         return scene_source_wrong_type(source, node, mapping->name, "'key: value' pairs");
-    for (const yaml_node_pair_t *pair = node->data.mapping.pairs.start; pair < node->data.mapping.pairs.top; pair++) {
-        size_t k;
-        if (!read_pair(&k, source, pair, mapping, lines, into))
+    for (const yaml_node_pair_t *pair = node->data.mapping.pairs.start; pair < node->data.mapping.pairs.top; pair++)
+        if (!read_pair(source, pair, mapping, lines, none, into))
             return false;
-        none[k] = mapping->keys[k].word && strcmp(mapping->keys[k].word, "none") == 0 &&
-                  scene_source_is(yaml_document_get_node(&source->document, pair->value), "none");
-    }
     for (size_t k = 0; k < mapping->count; k++)
         lines[k] = none[k] ? 0 : lines[k];
     return mapping == source->whole || /* the command line has its say first */
-           scene_source_rules(source, mapping, lines, scene_source_line(node), into);
+           (scene_source_rules(source, mapping, lines, line, into) &&
+            (!mapping->then || mapping->then(source, lines, line, into)));
 }
 
 bool scene_source_within(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
                          void *field)
 {
-    size_t lines[SCENE_KEYS_MOST];
-    return scene_source_mapping(source, value, key->within, lines, field);
+    return scene_source_mapping(source, value, key->within, field);
 }
 
 size_t scene_keys_line(const struct scene_source *source, const char *name)

@@ -68,6 +68,8 @@ struct scene_mapping {
     size_t count;
     const char *needs;  /* what has to be there */
     const char *one_of; /* of "a or b" exactly one has to */
+    /* What follows once it is read and its rules are kept, or NULL; it stands in line `line`, its keys in lines[k]. */
+    bool (*then)(struct scene_source *source, const size_t *lines, size_t line, void *into);
 };
 #define SCENE_MAPPING(name, keys)    SCENE_RULED(name, keys, .needs = NULL)
 #define SCENE_RULED(name, keys, ...) (&(const struct scene_mapping){(name), (keys), SCENE_COUNT(keys), __VA_ARGS__})
@@ -75,10 +77,10 @@ struct scene_mapping {
  * read into `into`. */
 bool scene_source_rules(struct scene_source *source, const struct scene_mapping *mapping, const size_t *lines,
                         size_t line, const void *into);
-/** Reads it into `into` and checks its rules; lines[k] is where keys[k] is given, 0: it is not, or its word is `none`
- * and it says so. */
+/** Reads it into `into`, checks its rules and does what is to follow. A key stands in no line, too, where its word is
+ * `none` and it says so. Of source->whole source->lines is filled alone. */
 MUST_CHECK bool scene_source_mapping(struct scene_source *source, const yaml_node_t *node,
-                                     const struct scene_mapping *mapping, size_t *lines, void *into);
+                                     const struct scene_mapping *mapping, void *into);
 /** Reads the text of an option of the command line as the value of `key`. Error: STATUS_USAGE. */
 bool scene_source_option(struct scene_source *source, const struct scene_key *key, const char *option, const char *text,
                          void *into);
@@ -109,7 +111,7 @@ bool scene_source_memory(struct scene_source *source);
  * unit), two of them, a size_t, an enum, a malloc'ed char *, a char array. */
 scene_reader scene_source_quantity, scene_source_pair, scene_source_whole, scene_source_choice, scene_source_text,
     scene_source_short_text;
-/** The mapping key->within, with nothing to it but its keys and rules. */
+/** The mapping key->within. */
 scene_reader scene_source_within;
 /** The spelling of a unit of key->quantities, into a char[UNIT_LENGTH]. */
 scene_reader scene_source_unit;
@@ -131,7 +133,7 @@ extern const char *const scene_source_yes[2];
 #define SCENE_HARDNESS(place)                                                                                          \
     scene_surfaces_hardness, .at = (place), .quantities = UNIT_PRESSURE, .least = 1e3, .most = 1e12,                   \
                              .alias = "hardness_Pa", .within = &scene_surfaces_vickers
-#define SCENE_MEASURED(place)         scene_keys_measured, .at = (place), .within = &scene_keys_of_measured
+#define SCENE_MEASURED(place)         scene_source_within, .at = (place), .within = &scene_surfaces_measured
 #define SCENE_SHORT_TEXT(place, size) scene_source_short_text, .at = (place), .most = (size)
 
 /** `effects` with those they build on. */
@@ -151,8 +153,7 @@ extern const struct scene_mapping scene_surfaces_vickers;
 /** A built-in name or a mapping of properties, into a struct scene_bodies. */
 scene_reader scene_surfaces_body;
 /** What was measured, into a struct scene_measured. */
-scene_reader scene_keys_measured;
-extern const struct scene_mapping scene_keys_of_measured;
+extern const struct scene_mapping scene_surfaces_measured;
 /** One file or a list of them, each checked to exist, into a struct scene_files. */
 scene_reader scene_surfaces_files;
 
@@ -188,7 +189,6 @@ void scene_files_free(struct scene_files *files);
 void scene_surfaces_free(struct scene_surface *surface);
 
 /** How the parts are shaped, into a struct scene. */
-scene_reader scene_shape_read;
 extern const struct scene_mapping scene_shape_ways;
 /** The sides of the nominal area, once that is known, and its fields, once the bodies are. */
 void scene_shape_size(struct scene *scene, struct scene_source *source);

@@ -42,7 +42,6 @@ static bool read_material(struct scene_source *source, const struct scene_key *k
     if (value->type != YAML_MAPPING_NODE)
         return scene_source_wrong_type(source, value, key->name, "a name or a mapping of properties");
 
-    size_t lines[MATERIALS_MOST];
     struct scene_key keys[MATERIALS_MOST] = {
         {"name", NULL, SCENE_SHORT_TEXT(offsetof(struct material, name), sizeof material->name)}};
     assert(material_property_count < SCENE_COUNT(keys));
@@ -55,7 +54,7 @@ static bool read_material(struct scene_source *source, const struct scene_key *k
     const struct scene_mapping mapping = {key->name, keys, 1 + material_property_count, .needs = "E, nu"};
     *material = material_unknown("custom");
     material->source = "given in scene.yaml";
-    return scene_source_mapping(source, value, &mapping, lines, material);
+    return scene_source_mapping(source, value, &mapping, material);
 }
 
 /* Counts files of the scene, which aliases of long lists multiply. */
@@ -132,23 +131,21 @@ static const struct scene_key measured_keys[] = {
      .quantities = UNIT_RESISTANCE | UNIT_RESISTANCE_AREA | UNIT_THERMAL_RESISTANCE | UNIT_THERMAL_RESISTANCE_AREA},
     {"carry", NULL, SCENE_YES(MEASURED(carry))},
 };
-const struct scene_mapping scene_keys_of_measured = {"measured", measured_keys, SCENE_COUNT(measured_keys),
-                                                     .needs = "file"};
 
-bool scene_keys_measured(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
-                         void *field)
+static bool complete_measured(struct scene_source *source, const size_t *lines, size_t line, void *into)
 {
-    struct scene_measured *measured = field;
-    size_t lines[SCENE_COUNT(measured_keys)];
-    struct unit unit;
-    if (!scene_source_mapping(source, value, key->within, lines, field))
-        return false;
+    const struct scene_measured *measured = into;
     const char *text = measured->resistance_unit;
-    unsigned known = scene_measured_resistances[measured->quantity];
+    const unsigned known = scene_measured_resistances[measured->quantity];
+    struct unit unit;
+    (void)line;
     return !*text || !unit_read(&unit, text, strlen(text)) || unit_of(&unit, known) ||
            scene_source_fail(source, lines[3], "'resistance_unit' is '%s'; understood: %s", text,
                              unit_known(known).text);
 }
+
+const struct scene_mapping scene_surfaces_measured = {"measured", measured_keys, SCENE_COUNT(measured_keys),
+                                                      .needs = "file", .then = complete_measured};
 
 /* A column or two of them, x and z. */
 static bool read_columns(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
@@ -203,16 +200,15 @@ bool scene_surfaces_counterface(struct scene_source *source, const struct scene_
     };
     struct scene_surface *surface = &source->scene->counterface_surface;
     struct scene_bodies *bodies = field;
-    size_t lines[SCENE_COUNT(keys)];
     bool rough = false;
     if (value->type == YAML_MAPPING_NODE)
         for (const yaml_node_pair_t *p = value->data.mapping.pairs.start; p < value->data.mapping.pairs.top; p++)
             rough = rough || scene_source_is(yaml_document_get_node(&source->document, p->key), "surface");
     if (!rough)
         return read_body(source, key, value, field);
-    if (!scene_source_mapping(source, value, SCENE_MAPPING(key->name, keys), lines, surface))
+    if (!scene_source_mapping(source, value, SCENE_MAPPING(key->name, keys), surface))
         return false;
-    bool given = lines[1] > 0; /* else two rough bodies of one material */
+    const bool given = surface->bodies.counterface_given; /* else two rough bodies of one material */
     bodies->counterface_kind = given ? surface->bodies.counterface_kind : MATERIAL_COUNTERFACE_ELASTIC;
     bodies->counterface_same = !given || surface->bodies.counterface_same;
     bodies->counterface = surface->bodies.counterface;
@@ -232,11 +228,10 @@ const struct scene_mapping scene_surfaces_vickers = {"hardness", vickers_keys, S
 bool scene_surfaces_hardness(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
                              void *field)
 {
-    size_t lines[SCENE_COUNT(vickers_keys)];
     char text[64];
     yaml_node_t node = *value;
     if (value->type == YAML_MAPPING_NODE)
-        return scene_source_mapping(source, value, key->within, lines, field);
+        return scene_source_within(source, key, value, field);
     if (value->type == YAML_SCALAR_NODE && strncmp((const char *)value->data.scalar.value, "HV ", 3) == 0) {
         snprintf(text, sizeof text, "%.40s HV", (const char *)value->data.scalar.value + 3);
         node.data.scalar.value = (yaml_char_t *)text;
@@ -258,13 +253,11 @@ static const struct scene_key surface_keys[] = {
     {"column", NULL, read_columns, .at = 0},
     {"measured", NULL, SCENE_MEASURED(AT(measured))},
 };
-const struct scene_mapping scene_surfaces_each = {"surfaces", surface_keys, SCENE_COUNT(surface_keys), .needs = "file"};
 
-static bool read_surface(struct scene_source *source, const yaml_node_t *node, struct scene_surface *surface)
+static bool complete_surface(struct scene_source *source, const size_t *lines, size_t line, void *into)
 {
-    size_t lines[SCENE_COUNT(surface_keys)];
-    if (!scene_source_mapping(source, node, &scene_surfaces_each, lines, surface))
-        return false;
+    struct scene_surface *surface = into;
+    (void)line;
     if (surface->name && strlen(surface->name) > limit_most(LIMIT_NAME_BYTES))
         return scene_source_fail(source, lines[0], "a name of %zu bytes%s", strlen(surface->name),
                                  limit_words(LIMIT_NAME_BYTES).text);
@@ -272,6 +265,9 @@ static bool read_surface(struct scene_source *source, const yaml_node_t *node, s
         surface->name = scene_files_name(surface->files.path[0], false);
     return surface->name || scene_source_memory(source);
 }
+
+const struct scene_mapping scene_surfaces_each = {"surfaces", surface_keys, SCENE_COUNT(surface_keys), .needs = "file",
+                                                  .then = complete_surface};
 
 static int compare_names(const void *a, const void *b)
 {
@@ -317,7 +313,7 @@ bool scene_surfaces_read(struct scene_source *source, const struct scene_key *ke
         return scene_source_memory(source);
     scene->surface_count = count;
     for (size_t i = 0; i < count; i++)
-        if (!read_surface(source, scene_source_item(source, value, i), &scene->surfaces[i]))
+        if (!scene_source_mapping(source, scene_source_item(source, value, i), key->within, &scene->surfaces[i]))
             return false;
     return check_names(source, scene, value);
 }
