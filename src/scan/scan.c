@@ -32,6 +32,9 @@ static enum status_code check_positions(struct scan *scan, const struct scan_fil
             reverse(scan->x_m, scan->nx);
             for (size_t row = 0; row < scan->ny; row++)
                 reverse(scan->z_m + row * scan->nx, scan->nx);
+            double run_up_m = scan->margin_m[1];
+            scan->margin_m[1] = scan->margin_m[0];
+            scan->margin_m[0] = run_up_m;
             scan_warn(scan, "x descends: the scan was reversed");
         }
         scan->dx_m = (scan->x_m[scan->nx - 1] - scan->x_m[0]) / (double)(scan->nx - 1);

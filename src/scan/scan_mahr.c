@@ -1,74 +1,86 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Mahr text of MarWin and of MarSurf PS 10: sections in brackets, `NO_POINTS=n`, `PRETRAV_LIN=` and `POSTTRAV_LIN=`,
- * then below [PROFILE_VALUES] one line a point, `index=` and fields as the line `// X,Y,Z,C,Lock` names them; without
- * such a line `index=x z lock`. Lengths are millimetres. */
+/* Mahr text: sections in brackets, `NO_POINTS=n`, then below [PROFILE_VALUES] one line a point in millimetres:
+ * `index=x y z c lock` of MarWin, which names them in a comment above, `index=x z lock` of the MarSurf PS 10. */
 #include "scan/reader.h"
 #include "scan/string_view.h"
+#include "scan/text_header.h"
 
-#include <stdint.h>
+#include <math.h>
 #include <string.h>
 
 static const double mahr_unit_m = 1e-3; /* of both */
-enum { MAHR_SHORTEST = 6 /* bytes of the shortest line of a point, `0=1 2` and its end */, MAHR_FIELDS = 8 };
+enum { MAHR_SHORTEST = 6 };             /* bytes of the shortest line of a point, `0=1 2` and its end */
 
-/* Which fields behind `index=` are x and z, from 0. */
-struct columns {
-    size_t x, z;
+/* Which of a point's `count` fields are x and z, from 0; count 0 while that is not known. */
+struct fields {
+    size_t count, x, z;
 };
 
-/* The places of X and Z in a comment that names the fields; false: it does not. */
-static bool read_columns(struct columns *out, struct string_view comment)
+/* The fields by the comment that names them, `X,Y,Z,C,Lock`. */
+static struct fields named_fields(struct string_view names)
 {
-    struct columns found = {SIZE_MAX, SIZE_MAX};
-    struct string_view name;
-    for (size_t i = 0; cell_next(&comment, ',', &name); i++) {
-        found.x = string_view_equals(name, "X") ? i : found.x;
-        found.z = string_view_equals(name, "Z") ? i : found.z;
+    struct fields fields = {0, SIZE_MAX, SIZE_MAX};
+    for (struct string_view name;
+         cell_next(&names, memchr(names.start, ',', string_view_length(names)) ? ',' : ' ', &name); fields.count++) {
+        fields.x = string_view_equals(name, "x") ? fields.count : fields.x;
+        fields.z = string_view_equals(name, "z") ? fields.count : fields.z;
     }
-    if (found.x >= MAHR_FIELDS || found.z >= MAHR_FIELDS)
-        return false;
-    *out = found;
-    return true;
+    return fields.x < SIZE_MAX && fields.z < SIZE_MAX ? fields : (struct fields){0};
 }
 
-/* Reads `index=a b c ...`; false when the line is not of that form. */
-static bool read_point(struct string_view line, const struct columns *columns, double *x, double *z)
+static bool read_length(struct string_view word, double *length_m)
+{
+    double value;
+    bool good = number_scan(word, NUMBER_POINT | NUMBER_COMMA, NULL, &value) == word.end && isfinite(value);
+    *length_m = good ? value * mahr_unit_m : 0;
+    return good;
+}
+
+/* Reads `index=field field ...`; false when the line is not of that form. Where nothing names the fields, the first
+ * point tells: up to three are x, z and whether the point is locked. */
+static bool read_point(struct string_view line, struct fields *fields, double *x, double *z)
 {
     const char *equals = memchr(line.start, '=', string_view_length(line));
-    size_t last = columns->x > columns->z ? columns->x : columns->z;
     if (!equals)
         return false;
-    line.start = equals + 1;
-    double value[MAHR_FIELDS];
-    for (size_t i = 0; i <= last; i++) {
-        struct string_view word;
-        if (!scan_word(&line, &word) || !number_read(word, &value[i]))
-            return false;
+    struct string_view rest = {equals + 1, line.end}, word;
+    size_t count = 0;
+    while (scan_word(&rest, &word))
+        count++;
+    if (fields->count == 0)
+        *fields = (struct fields){count, 0, count > 3 ? 2 : 1};
+    rest.start = equals + 1;
+    bool good = count == fields->count && count > 1;
+    for (size_t i = 0; good && scan_word(&rest, &word); i++) {
+        double length_m;
+        good = read_length(word, &length_m) || (i != fields->x && i != fields->z);
+        *x = i == fields->x ? length_m : *x;
+        *z = i == fields->z ? length_m : *z;
     }
-    *x = value[columns->x] * mahr_unit_m;
-    *z = value[columns->z] * mahr_unit_m;
-    return true;
+    return good;
 }
 
 /* The points from `lines` on, until a section begins or the file ends. */
 static enum status_code read_points(struct scan *out, struct lines lines, const struct scan_file *file)
 {
     size_t n = 0;
-    struct columns columns = {0, 1};
+    struct fields fields = {0};
     for (struct string_view line; lines_next(&lines, &line);) {
-        line = string_view_trim(line);
-        if (string_view_starts(line, "//") && n == 0)
-            (void)read_columns(&columns, (struct string_view){line.start + 2, line.end});
-        if (line.start == line.end || string_view_starts(line, "//"))
+        bool comment;
+        struct string_view content = text_header_uncomment(line, &comment);
+        if (comment && n == 0 && fields.count == 0)
+            fields = named_fields(content);
+        if (comment || content.start == content.end)
             continue;
-        if (*line.start == '[')
+        if (*content.start == '[')
             break;
         if (n == out->nx)
             return scan_fail(file, lines.number, "more points than NO_POINTS says, %zu; export the scan again",
                              out->nx);
-        if (!read_point(line, &columns, &out->x_m[n], &out->z_m[n]))
-            return scan_fail(file, lines.number, "'%s' is no line `index=x z ...`; correct or remove it",
-                             scan_quote(line).text);
+        if (!read_point(content, &fields, &out->x_m[n], &out->z_m[n]))
+            return scan_fail(file, lines.number, "'%s' is no line `index=x%s z ...`%s; correct or remove it",
+                             scan_quote(content).text, fields.z == 1 ? "" : " y",
+                             fields.count > 0 ? " with as many fields as the others" : "");
         n++;
     }
     if (n < out->nx)
@@ -76,13 +88,17 @@ static enum status_code read_points(struct scan *out, struct lines lines, const 
     return STATUS_OK;
 }
 
-/* Takes over how much of the record lies before or behind what was to be measured. */
-static void read_margin(double *margin_m, struct string_view line, const char *key)
+/* Takes over `key=length` in mm, 0 or more. */
+static enum status_code take_length(double *length_m, const char *key, struct string_view line, size_t line_number,
+                                    const struct scan_file *file)
 {
-    double length;
-    if (string_view_starts(line, key) &&
-        number_read((struct string_view){line.start + strlen(key), line.end}, &length) && length > 0)
-        *margin_m = length * mahr_unit_m;
+    line.start += string_view_starts(line, key) ? strlen(key) : string_view_length(line);
+    if (line.start == line.end || *line.start != '=')
+        return STATUS_OK;
+    line.start++;
+    if (read_length(string_view_trim(line), length_m) && *length_m >= 0)
+        return STATUS_OK;
+    return scan_fail(file, line_number, "%s is no length", key);
 }
 
 enum status_code scan_mahr_text_read(struct scan *out, const struct scan_file *file)
@@ -94,8 +110,9 @@ enum status_code scan_mahr_text_read(struct scan *out, const struct scan_file *f
         if (string_view_starts(line, "NO_POINTS=") &&
             !number_read_size((struct string_view){line.start + strlen("NO_POINTS="), line.end}, &n))
             return scan_fail(file, lines.number, "NO_POINTS is no number of points");
-        read_margin(&out->margin_m[0], line, "PRETRAV_LIN=");
-        read_margin(&out->margin_m[1], line, "POSTTRAV_LIN=");
+        if (take_length(&out->margin_m[0], "PRETRAV_LIN", line, lines.number, file) != STATUS_OK ||
+            take_length(&out->margin_m[1], "POSTTRAV_LIN", line, lines.number, file) != STATUS_OK)
+            return file->status->code;
         if (!string_view_equals(line, "[PROFILE_VALUES]"))
             continue;
         size_t room = (size_t)(lines.end - lines.next + 1) / MAHR_SHORTEST;

@@ -6,6 +6,7 @@
 #include "scan/string_view.h"
 #include "scan/text_header.h"
 
+#include <ctype.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -22,8 +23,10 @@ struct table {
     size_t rows, columns;
     double *cell;                 /* rows x columns */
     size_t first_line, last_line; /* where the rows are, counted from 1 */
-    size_t next_block;            /* the line of a comment with keys below them, where another block begins; 0: none */
     struct text_header header;    /* of the preamble */
+    size_t other_line;            /* of the first comment header below the first row; 0: none */
+    struct string_view other;     /* what it says */
+    size_t others;                /* blocks of rows below such headers, which are not read */
     const struct scan_file *file;
 };
 
@@ -181,6 +184,57 @@ static enum status_code fail_line(const struct table *table, size_t number, stru
                      limit_words(LIMIT_LINE_BYTES).text);
 }
 
+/* Is `content`, a comment below the first row, a line of a header, and neither a remark nor a row taken out: has it a
+ * key or a unit? */
+static bool is_header(struct string_view content)
+{
+    bool comment;
+    struct text_header said = {.valid = SIZE_MAX};
+    content = text_header_uncomment(content, &comment);
+    for (const char *c = content.start; c < content.end; c++) {
+        bool time = c > content.start && isdigit((unsigned char)c[-1]) && isdigit((unsigned char)c[1]); /* 10:31 */
+        if (*c == '=' || *c == '[' || (*c == ':' && !time))
+            return true;
+    }
+    return text_header_add(&said, content) || said.spacing.value > 0;
+}
+
+/* Does a row of numbers follow in `lines`, behind comments and blank lines? */
+static bool rows_follow(struct lines lines, const struct scan_file *file)
+{
+    size_t columns;
+    for (struct string_view line; lines_next(&lines, &line);) {
+        bool comment;
+        struct string_view content = text_header_uncomment(line, &comment);
+        if (!comment && content.start < content.end)
+            return find_delimiter(line, file, &columns) != 0;
+    }
+    return false;
+}
+
+/* Does the comment `content` begin another block? Then what blocks there are is kept for a note. */
+static bool ends_block(struct table *table, struct string_view content, struct lines lines)
+{
+    bool comment;
+    if (table->rows == 0 || table->other_line > 0 || !is_header(content))
+        return false;
+    table->other = text_header_uncomment(content, &comment);
+    table->other_line = lines.number;
+    if (!rows_follow(lines, table->file))
+        return false; /* a footer */
+    table->others = 1;
+    bool rows = false;
+    for (struct string_view line; lines_next(&lines, &line);) {
+        struct string_view trimmed = string_view_trim(line);
+        if (trimmed.start == trimmed.end)
+            continue;
+        bool header = is_comment(table, trimmed) && is_header(trimmed);
+        table->others += header && rows && rows_follow(lines, table->file) ? 1 : 0;
+        rows = !header && (rows || !is_comment(table, trimmed));
+    }
+    return true;
+}
+
 /* The rows from `lines` on; the first is there already known to be one. */
 static enum status_code read_rows(struct table *table, struct lines lines)
 {
@@ -200,13 +254,10 @@ static enum status_code read_rows(struct table *table, struct lines lines)
             blank = blank ? blank : lines.number;
             continue;
         }
-        if (is_comment(table, content)) {
-            if (table->rows > 0 && text_header_is_block(content)) {
-                table->next_block = lines.number;
-                break;
-            }
+        if (is_comment(table, content) && ends_block(table, content, lines))
+            break;
+        if (is_comment(table, content))
             continue;
-        }
         if (blank && table->columns == 1)
             return scan_fail(table->file, blank, "a blank line among the heights; remove it, or fill in the height");
         if (table->rows >= most)
@@ -514,13 +565,15 @@ static bool begins_with_count(const struct table *table)
            table->cell[1] != round(table->cell[1]);
 }
 
-/* Refuses a length that two lines of the header give differently. */
+/* Refuses a length of which two lines of the header say different things. */
 static enum status_code check_said_once(const struct table *table, const struct text_quantity *said, const char *what)
 {
-    if (said->other_line == 0)
+    if (said->other == 0)
         return STATUS_OK;
-    return scan_fail(table->file, said->other_line, "%s is another one than in line %zu; correct or remove one of them",
-                     what, said->line);
+    bool ordered = said->line < said->other;
+    size_t first = ordered ? said->line : said->other, second = ordered ? said->other : said->line;
+    return scan_fail(table->file, first, "lines %zu and %zu name two %s; remove the one that is not meant", first,
+                     second, what);
 }
 
 /* Column `z` alone, at the spacing that the header names. */
@@ -534,7 +587,7 @@ static enum status_code take_heights(struct scan *out, struct table *table, size
         return scan_fail(table->file, table->first_line,
                          "one column is heights only: no spacing; add a line `spacing 0.5 um` above the numbers, or a "
                          "column x");
-    if (check_said_once(table, &table->header.spacing, "the spacing") != STATUS_OK ||
+    if (check_said_once(table, &table->header.spacing, "spacings") != STATUS_OK ||
         take_units(out, table, table->header.spacing.unit, &x_m, &z_m) != STATUS_OK)
         return table->file->status->code;
     out->dx_m = table->header.spacing.value * x_m;
@@ -573,7 +626,7 @@ static enum status_code take_points(struct scan *out, struct table *table, size_
     if (take_columns(out, table, 0, x_m, z_m) != STATUS_OK)
         return table->file->status->code;
     const char *unit = header->spacing.unit ? header->spacing.unit : out->x_unit;
-    if (header->spacing.value > 0 && header->spacing.other_line == 0)
+    if (header->spacing.value > 0 && header->spacing.other == 0)
         out->nominal_dx_m = header->spacing.value * scan_unit_m(unit);
     if (columns > (header->valid < columns ? 3 : 2) && table->file->options->z_column == 0)
         scan_warn(out, "%zu columns: column %zu read as x, column %zu as z, the others ignored", columns, x + 1, z + 1);
@@ -640,7 +693,8 @@ static size_t find_x(const struct table *table)
 static bool is_matrix(const struct table *table)
 {
     const struct text_header *header = &table->header;
-    bool said = header->pixel.value > 0 || (header->width.value > 0 && header->height.value > 0);
+    bool said =
+        header->pixel.value > 0 || (header->width.value > 0 && header->height.value > 0) || header->behind_lengths;
     if (table->columns < 4 || table->rows < 2 || header->unit[0])
         return false;
     return said || (!has_even_steps(table) && (table->columns > TEXT_MOST_COLUMNS || !goes_one_way(table, 0)));
@@ -754,18 +808,34 @@ static enum status_code take_list(struct scan *out, const struct table *table)
     return STATUS_OK;
 }
 
-static enum status_code take_matrix(struct scan *out, const struct table *table)
+/* Are the two lengths of the header width and height? By Gwyddion's order of lines, or by square pixels. */
+static bool are_extents(const struct table *table, const struct text_quantity *length)
 {
-    const struct text_header *header = &table->header;
+    static const double square = 0.02;
+    if (!(length[0].value > 0 && length[1].value > 0))
+        return false;
+    double dx_m = length[0].value * scan_unit_m(length[0].unit) / (double)table->columns;
+    double dy_m = length[1].value * scan_unit_m(length[1].unit) / (double)table->rows;
+    return table->header.behind_lengths || fabs(dx_m - dy_m) <= square * dx_m;
+}
+
+static enum status_code take_matrix(struct scan *out, struct table *table)
+{
+    struct text_header *header = &table->header;
     double x_m, z_m, factor = header->z_factor.value > 0 ? header->z_factor.value : 1;
     struct text_quantity width = header->width, height = header->height;
     struct text_quantity step = header->pixel.value > 0 ? header->pixel : header->spacing;
+    struct text_quantity step_y = header->pixel_y.value > 0 ? header->pixel_y : step;
     if (step.value > 0) {
-        width = (struct text_quantity){step.value * (double)table->columns, step.unit, step.line, step.other_line};
-        height = (struct text_quantity){step.value * (double)table->rows, step.unit, 0, 0};
+        width = (struct text_quantity){step.value * (double)table->columns, step.unit, step.line, step.other};
+        height = (struct text_quantity){step_y.value * (double)table->rows, step_y.unit, step_y.line, step_y.other};
+    } else if (!(width.value > 0 && height.value > 0) && are_extents(table, header->length)) {
+        width = header->length[0];
+        height = header->length[1];
+        header->z_unit = header->z_unit ? header->z_unit : header->behind_lengths;
     }
-    if (check_said_once(table, &width, step.value > 0 ? "the pixel size" : "the width") != STATUS_OK ||
-        check_said_once(table, &height, "the height of the map") != STATUS_OK)
+    if (check_said_once(table, &width, step.value > 0 ? "pixel sizes" : "widths") != STATUS_OK ||
+        check_said_once(table, &height, step.value > 0 ? "pixel sizes" : "heights of the map") != STATUS_OK)
         return table->file->status->code;
     if (!(width.value > 0 && height.value > 0))
         return scan_fail(table->file, table->first_line,
@@ -808,11 +878,14 @@ enum status_code scan_text_read(struct scan *out, const struct scan_file *file)
 {
     struct table table = {.file = file};
     out->format = name_of(file, out->format);
-    if (read_table(&table) == STATUS_OK && take_table(out, &table) == STATUS_OK)
+    if (read_table(&table) == STATUS_OK && take_table(out, &table) == STATUS_OK) {
         mark_sentinels(out);
-    if (table.next_block > 0 && file->status->code == STATUS_OK)
-        scan_warn(out, "another block begins in line %zu and is not read; to read it, save it as a file of its own",
-                  table.next_block);
+        if (table.others > 0)
+            scan_warn(out,
+                      "%zu more block%s of rows, the first below line %zu, '%s': only the first of the file was read; "
+                      "save the one you mean as a file of its own",
+                      table.others, table.others == 1 ? "" : "s", table.other_line, scan_quote(table.other).text);
+    }
     free(table.cell);
     return file->status->code;
 }

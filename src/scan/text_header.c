@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "scan/text_header.h"
+#include "base/unit.h"
 #include "scan/reader.h"
 
 #include <math.h>
@@ -16,17 +17,20 @@ struct key {
     struct string_view word[KEY_WORDS];
     size_t count;
     const char *unit; /* named in brackets among them */
+    bool other;       /* and it is none of a distance: [Hz], [mm/s], [points] */
 };
 
 #define PLACE(member) offsetof(struct text_header, member)
 
-/* a step of the heights or of the rows is none along the profile, nor is a length, a number, a time or a mean of waves
- */
-#define OTHER_AXES "y z dy dz height vertical row rows line lines column"
-#define NO_STEP                                                                                                        \
-    OTHER_AXES                                                                                                         \
-    " length speed velocity frequency rate points point number count profile profiles evaluation mean rsm sm "         \
-    "psm groove thread time"
+/* a step of the heights or of the rows is none along the profile */
+#define OTHER_AXES                                                                                                     \
+    "y z dy dz deltay deltaz row rows line lines track tracks profile profiles trace traces height heights vertical "
+/* what else has a step, a pitch or a resolution, and what else is sampled */
+#define OTHER_THINGS                                                                                                   \
+    "length lengths time speed velocity rate frequency points number count counts mean average rsm psm wsm sm "        \
+    "evaluation peak "                                                                                                 \
+    "peaks groove grooves thread threads grating optical filter cutoff tip stylus bit bits depth angle force "         \
+    "temperature"
 
 /* What a number is, by the words in front of it: one of `any`, one of `also` where that is given, and none of `none`.
  */
@@ -35,12 +39,21 @@ static const struct {
     size_t place; /* offset of its struct text_quantity in struct text_header */
 } meanings[] = {
     {"factor", "conversion", "", PLACE(z_factor)},
-    {"spacing dx deltax step resolution interval increment pitch sampling", "", NO_STEP, PLACE(spacing)},
-    {"pixel", "size", OTHER_AXES, PLACE(pixel)},
-    {"scale", "x", OTHER_AXES, PLACE(pixel)},
-    {"width x-length", "", "", PLACE(width)},
-    {"height y-length", "", "", PLACE(height)},
+    {"dx deltax spacing step resolution interval increment pitch sampling x-spacing x-step x-resolution x-interval "
+     "x-increment x-pitch",
+     "", OTHER_AXES OTHER_THINGS, PLACE(spacing)},
+    {"scale", "data", "", PLACE(data_scale)},
+    {"scale", "x", "y z", PLACE(pixel)},
+    {"scale", "y", "x z", PLACE(pixel_y)},
+    {"pixel", "size", OTHER_AXES OTHER_THINGS, PLACE(pixel)},
+    {"width x-length", "", "pixel", PLACE(width)},
+    {"height y-length", "", "pixel step", PLACE(height)},
 };
+
+/* What a distance may be counted by and stay a step; and words that are no units of anything physical. */
+static const char samples[] = "sample samples pixel pixels px point points pt pts step steps";
+static const char counted[] =
+    "points point pts pt samples sample pixels pixel px lines dpi ppi bit bits counts hz khz sec second seconds %";
 
 enum { AXIS_X = 1, AXIS_Y = 2, AXIS_Z = 4 };
 
@@ -109,33 +122,70 @@ static bool has_any(const struct key *key, const char *words)
     return false;
 }
 
-/* Do they say the same, as far as their units tell? */
-static bool is_same(const struct text_quantity *a, const struct text_quantity *b)
+/* Is `word` a unit of something else than a distance? */
+static bool is_other_unit(struct string_view word)
 {
-    double a_m = a->unit ? scan_unit_m(a->unit) : 1, b_m = b->unit ? scan_unit_m(b->unit) : 1;
-    return !a->unit != !b->unit || fabs(a->value * a_m - b->value * b_m) <= 1e-6 * a->value * a_m;
+    struct unit unit;
+    return word.start < word.end && !scan_unit_find(word).name &&
+           (string_view_is_one_of(word, counted) ||
+            (unit_read(&unit, word.start, string_view_length(word)) && !unit_of(&unit, UNIT_NUMBER)));
 }
 
-/* Takes over `value`, in `unit` (NULL: none), that follows `key` in this line. `sign`: a '=' or the like stands
- * between.
- */
-static void take_number(struct text_header *header, const struct key *key, double value, const char *unit, bool sign,
+/* Does a value follow what stands before `rest`? */
+static bool is_key(struct string_view rest)
+{
+    rest = string_view_trim(rest);
+    return rest.start < rest.end && strchr("=:", *rest.start);
+}
+
+/* Is what a unit of distance, with `rest` behind it, divided by no kind of sample: mm/s, um per second? */
+static bool is_rate(struct string_view rest)
+{
+    struct string_view word;
+    char before;
+    if (!next_word(&rest, &word, &before))
+        return false;
+    bool per = string_view_equals(word, "per");
+    return (before == '/' || (per && next_word(&rest, &word, &before))) && !string_view_is_one_of(word, samples);
+}
+
+/* Do both say the same, to the digits that headers have? A number without a unit may be in any. */
+static bool is_same(const struct text_quantity *a, const struct text_quantity *b)
+{
+    static const double rounding = 5e-3;
+    double a_m = a->unit && b->unit ? scan_unit_m(a->unit) : 1, b_m = a->unit && b->unit ? scan_unit_m(b->unit) : 1;
+    return fabs(a->value * a_m - b->value * b_m) <= rounding * b->value * b_m;
+}
+
+/* Does `rest` begin with "/pixel"? */
+static bool is_per_pixel(struct string_view rest)
+{
+    struct string_view word;
+    char before;
+    return next_word(&rest, &word, &before) && before == '/' && string_view_is_one_of(word, "pixel pixels px");
+}
+
+/* Takes over `value` of line `line`, in `unit` (NULL: none), that follows `key`. `sign`: a '=' or the like stands
+ * between. Returns whether the key means something. */
+static bool take_number(struct text_header *header, const struct key *key, double value, const char *unit, bool sign,
                         size_t line)
 {
-    if (!(value > 0 && value < 1e300) || !(unit || sign))
-        return;
     for (size_t i = 0; i < COUNT(meanings); i++) {
         if (!has_any(key, meanings[i].any) || (*meanings[i].also && !has_any(key, meanings[i].also)) ||
             has_any(key, meanings[i].none))
             continue;
-        struct text_quantity *place = (struct text_quantity *)(void *)((char *)header + meanings[i].place),
-                             found = {value, unit, line, 0};
-        if (place->value > 0 && line > 0 && !is_same(place, &found))
-            place->other_line = line;
-        else if (place->other_line == 0)
-            *place = found;
-        return;
+        if (!(value > 0 && value < 1e300) || !(unit || sign) || (!unit && key->other))
+            return true;
+        struct text_quantity found = {value, unit, line, 0}, known;
+        memcpy(&known, (char *)header + meanings[i].place, sizeof known);
+        if (known.value > 0)
+            found.other = is_same(&known, &found) ? known.other : known.line;
+        if (known.unit && !unit)
+            found = (struct text_quantity){known.value, known.unit, known.line, found.other ? line : 0};
+        memcpy((char *)header + meanings[i].place, &found, sizeof found);
+        return true;
     }
+    return false;
 }
 
 static bool is_unit_word(struct string_view word)
@@ -169,30 +219,25 @@ static bool take_unit(struct text_header *header, const struct key *key, const c
     return true;
 }
 
-/* Is what stands right behind a number, in `line`, the unit of something else than a length: 400 Hz, 2 mm/s, 64 points?
- */
-static bool is_other_kind(struct string_view word, struct string_view rest)
+/* The word and the number to the end where a decimal comma cuts both: `0` of `0,5 um` is known. Three digits behind any
+ * other number than 0 may be thousands: 0, which nothing can be. */
+static const char *decimal_comma(struct string_view *line, struct string_view *word, const char *end, double *value)
 {
-    static const char others[] = "hz khz mhz s ms sec second seconds min n mn kg g v mv a % percent rpm dpi bit bits "
-                                 "point points pts sample samples pixel pixels px line lines row rows count counts";
-    static const char per_point[] = "sample samples pixel pixels px point points pt step";
-    struct string_view behind;
-    char before;
-    if (rest.start < rest.end && *rest.start == '/' && next_word(&rest, &behind, &before))
-        return !string_view_is_one_of(behind, per_point);
-    return string_view_is_one_of(word, others);
+    struct string_view all = {word->start, line->end};
+    double with_comma;
+    const char *stop = number_scan(all, NUMBER_COMMA, NULL, &with_comma);
+    if (end != word->end || !stop || stop <= end || (stop < line->end && *stop == ','))
+        return end;
+    *value = stop - end == 4 && *value != 0 ? 0 : with_comma;
+    for (word->end = line->start = stop; line->start < line->end && !is_separator(*line->start);)
+        word->end = ++line->start;
+    return stop;
 }
 
-/* Does `rest` begin with "/pixel"? */
-static bool is_per_pixel(struct string_view rest)
-{
-    struct string_view word;
-    char before;
-    return next_word(&rest, &word, &before) && string_view_is_one_of(word, "pixel pixels px");
-}
+static const struct key pixel_size = {.word = {{"pixel", "pixel" + 5}, {"size", "size" + 4}}, .count = 2};
 
-/* Takes over what the keys in `line`, of that number (0: of a file beside), say. Does one of them name a unit? */
-static bool add_line(struct text_header *header, struct string_view line, size_t line_number)
+/* Takes over what the keys in `line` say. Does one of them name a unit? */
+static bool add_line(struct text_header *header, struct string_view line, size_t number)
 {
     struct key key = {.count = 0};
     struct string_view word;
@@ -200,25 +245,22 @@ static bool add_line(struct text_header *header, struct string_view line, size_t
     for (char before; next_word(&line, &word, &before);) {
         double value;
         const char *end = number_scan(word, NUMBER_POINT, NULL, &value), *name = scan_unit_find(word).name;
+        if (end && before != ',' && end == line.start)
+            end = decimal_comma(&line, &word, end, &value);
         if (end) { /* its unit stands right behind it, or is the next word */
             bool sign = before && strchr("=:,;\t", before);
             struct string_view behind = {end, word.end}, rest = line;
-            char between = ' ';
+            char between;
             if (end == word.end && !next_word(&rest, &behind, &between))
                 behind = (struct string_view){end, end};
-            if ((between == ' ' || between == '\0') && is_other_kind(behind, rest)) {
-                line = rest;
-                key = (struct key){.count = 0};
-                continue;
-            }
             struct scan_unit found = scan_unit_find(behind);
             const char *unit = found.si > 0 ? found.name : NULL;
-            bool pixel = unit && rest.start < rest.end && *rest.start == '/' && is_per_pixel(rest);
-            line = unit && end == word.end ? rest : line;
-            if (pixel && key.count > 0 &&
-                !has_any(&key, OTHER_AXES)) /* `XY calibration,277.8,nm/pixel`, in any language */
-                key = (struct key){.word = {string_view_of("pixel"), string_view_of("size")}, .count = 2};
-            take_number(header, &key, value, unit ? unit : key.unit, sign, line_number);
+            rest = end == word.end ? rest : line;
+            bool other = unit ? is_rate(rest) : is_other_unit(behind) && !is_key(rest);
+            line = unit ? rest : line;
+            if (!other && !take_number(header, &key, value, unit ? unit : key.unit, sign, number) && unit &&
+                is_per_pixel(rest) && key.count > 0 && !has_any(&key, OTHER_AXES OTHER_THINGS))
+                take_number(header, &pixel_size, value, unit, sign, number); /* `XY-Justierung,277.8,nm/pixel` */
             key = (struct key){.count = 0};
             continue;
         }
@@ -231,8 +273,11 @@ static bool add_line(struct text_header *header, struct string_view line, size_t
             key = (struct key){.count = 0};
             continue;
         }
-        if (name && before && strchr("[({>", before))
-            key.unit = name;
+        if (before && strchr("[({>", before)) {
+            key.unit = name ? name : key.unit;
+            key.other = is_other_unit(word) || (name && is_rate(line));
+            key.unit = key.other ? NULL : key.unit;
+        }
         if (key.count < KEY_WORDS)
             key.word[key.count++] = word;
     }
@@ -346,47 +391,56 @@ static bool read_titles(struct text_header *header, struct string_view line, cha
     return true;
 }
 
-bool text_header_is_block(struct string_view comment)
-{
-    static const char names[] = "channel title block data";
-    struct text_header header = {.valid = SIZE_MAX}, before = header;
-    bool marked;
-    comment = text_header_uncomment(comment, &marked);
-    struct string_view rest = comment, word = comment;
-    char separator;
-    bool named = next_word(&rest, &word, &separator) && string_view_is_one_of(word, names) && rest.start < rest.end &&
-                 *rest.start == ':';
-    return named || add_line(&header, comment, 1) || memcmp(&before, &header, sizeof header) != 0;
-}
-
 bool text_header_add(struct text_header *header, struct string_view text)
 {
     bool any = false, comment;
     struct lines lines = lines_begin(text);
     for (struct string_view line; lines_next(&lines, &line);)
-        any = add_line(header, text_header_uncomment(line, &comment), 0) || any;
+        any = add_line(header, text_header_uncomment(line, &comment), lines.number) || any;
     return any;
 }
 
-/* Lines of a comment header whose keys are in a language that is not known here, as Gwyddion writes them: a length, or
- * a unit alone, behind a colon. */
-static void add_other(struct text_header *header, struct string_view line)
+/* What stands behind the last colon of `line`: a length to its end (*value > 0), a unit alone, or neither. */
+static const char *value_of(struct string_view line, double *value)
 {
-    const char *colon = memchr(line.start, ':', string_view_length(line));
-    struct string_view rest = {colon ? colon + 1 : line.end, line.end}, word, unit, nothing;
-    char before;
-    double value;
-    if (!next_word(&rest, &word, &before))
+    const char *colon = memrchr(line.start, ':', string_view_length(line));
+    struct string_view rest = string_view_trim((struct string_view){colon ? colon + 1 : line.end, line.end});
+    const char *end = number_scan(rest, NUMBER_POINT | NUMBER_COMMA, NULL, value);
+    *value = end && isfinite(*value) ? *value : 0;
+    return scan_unit_find(string_view_trim((struct string_view){end ? end : rest.start, rest.end})).name;
+}
+
+/* Gwyddion's header in whatever language: a comment a line, of a name, a width, a height and a unit. Where two lengths
+ * that follow each other are the only ones, they are kept. */
+static void find_lengths(struct text_header *header, struct string_view preamble)
+{
+    struct text_quantity found[2] = {{0}};
+    const char *unit_behind = NULL;
+    size_t count = 0;
+    struct lines lines = lines_begin(preamble);
+    for (struct string_view line; lines_next(&lines, &line);) {
+        bool comment;
+        double value;
+        line = text_header_uncomment(line, &comment);
+        const char *unit = comment ? value_of(line, &value) : NULL;
+        if (!unit)
+            continue;
+        if (value > 0 && count < 2)
+            found[count] = (struct text_quantity){value, unit, lines.number, 0};
+        count += value > 0 ? 1 : 0;
+        if (value == 0 && count == 2 && lines.number == found[1].line + 1)
+            unit_behind = unit;
+    }
+    if (count != 2 || found[1].line != found[0].line + 1)
         return;
-    const char *end = number_scan(word, NUMBER_POINT, NULL, &value);
-    bool alone = !next_word(&rest, &unit, &before);
-    if (!end && alone && scan_unit_find(word).name)
-        header->other_unit = scan_unit_find(word).name;
-    if (!end || end != word.end || alone || next_word(&rest, &nothing, &before) || !(value > 0))
-        return;
-    const struct scan_unit found = scan_unit_find(unit);
-    if (found.si > 0 && header->other_count++ < COUNT(header->other))
-        header->other[header->other_count - 1] = (struct text_quantity){value, found.name, 0, 0};
+    memcpy(header->length, found, sizeof found);
+    header->behind_lengths = unit_behind;
+}
+
+/* SPIP's header, whose lengths are in nm where no unit stands there. */
+static bool is_spip(struct string_view line)
+{
+    return string_view_equals(line, "File Format = ASCII") || string_view_starts(line, "Created by SPIP");
 }
 
 struct text_header text_header_read(struct string_view preamble, char delimiter, size_t columns)
@@ -395,33 +449,29 @@ struct text_header text_header_read(struct string_view preamble, char delimiter,
     struct text_header header = {.valid = SIZE_MAX};
     struct string_view last[TEXT_HEADER_LINES]; /* line i, blank ones aside, at i % TEXT_HEADER_LINES */
     size_t count = 0;
+    bool spip = false, scaled = false;
     struct lines lines = lines_begin(preamble);
-    bool spip = false;
     for (struct string_view line; lines_next(&lines, &line);) {
         bool comment;
         line = text_header_uncomment(line, &comment);
         if (line.start == line.end)
             continue;
-        spip = spip || string_view_starts(line, "Created by SPIP");
-        const struct text_header before = header;
+        spip = spip || is_spip(line);
+        scaled = scaled || string_view_equals(line, "DataScaleNeeded = yes");
         if (add_line(&header, line, lines.number))
             line.end = line.start; /* `X unit: mm` is no pair of titles */
-        else if (comment && memcmp(&before, &header, sizeof header) == 0)
-            add_other(&header, line);
         last[count++ % TEXT_HEADER_LINES] = line;
     }
     for (size_t i = count > TEXT_HEADER_LINES ? count - TEXT_HEADER_LINES : 0; i < count; i++)
         for (size_t k = 0; k < sizeof delimiters; k++)
             if (read_titles(&header, last[i % TEXT_HEADER_LINES], delimiters[k], columns))
                 break;
-    if (spip) { /* whose lengths are in nm */
+    find_lengths(&header, preamble);
+    if (scaled)
+        header.z_factor = header.data_scale;
+    if (spip) {
         header.width.unit = either(header.width.unit, "nm");
         header.height.unit = either(header.height.unit, "nm");
-    }
-    if (header.other_count == 2 && !(header.width.value > 0) && !(header.pixel.value > 0)) {
-        header.width = header.other[0];
-        header.height = header.other[1];
-        header.z_unit = either(header.z_unit, header.other_unit);
     }
     return header;
 }

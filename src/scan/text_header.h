@@ -14,7 +14,7 @@ enum { TEXT_HEADER_COLUMNS = 64, TEXT_HEADER_LINES = 3 };
 struct text_quantity {
     double value;
     const char *unit;
-    size_t line, other_line; /* that say it, and say something else; 0: none */
+    size_t line, other; /* where it stands, from 1, and where something else is said; 0: nowhere */
 };
 
 struct text_header {
@@ -22,14 +22,15 @@ struct text_header {
     struct string_view unknown[TEXT_HEADER_COLUMNS]; /* what stands in brackets there and is no unit; in the preamble */
     size_t valid;                         /* column that says whether a point is valid; SIZE_MAX where none does */
     struct text_quantity spacing;         /* `spacing 0.5 um`, `dx=0.5um`, `Resolution,0.156 um/sample` */
-    struct text_quantity pixel;           /* `pixel size = 0.5 um` */
+    struct text_quantity pixel;           /* `pixel size = 0.5 um`, `Scale X = 0.5` */
+    struct text_quantity pixel_y;         /* `Scale Y = 0.5` */
     struct text_quantity width, height;   /* of a map: `Width: 10 um`, `x-length = 10 um` */
     const char *x_unit, *y_unit, *z_unit; /* `x_unit: mm`, `Value units: m`; NULL where not said */
     const char *all_unit;                 /* `unit: um`: of every axis that has none of its own */
     struct text_quantity z_factor;        /* `height conversion factor (-> m) = 1e-9` */
-    struct text_quantity other[2]; /* lengths of keys in other languages: width and height, where nothing else is */
-    size_t other_count;
-    const char *other_unit; /* of such a key that has a unit alone, a height's */
+    struct text_quantity data_scale;      /* Nova's `Scale Data = 1`, a factor where it says one is needed */
+    struct text_quantity length[2];       /* the only lengths of a comment header, in lines that follow each other */
+    const char *behind_lengths;           /* unit that the next line names; NULL: none */
 };
 
 /** What a file beside a scan says of it (sidecar.h). */
@@ -49,9 +50,6 @@ bool text_header_says(struct string_view title, const char *words);
 
 /** Without its mark (#, //, %, ;) and trimmed when `line` is a comment, else just trimmed; *comment tells. */
 struct string_view text_header_uncomment(struct string_view line, bool *comment);
-
-/** Does a comment below rows of numbers have a key of a header, or units, so that another block begins there? */
-bool text_header_is_block(struct string_view comment);
 
 /** Takes over what the keys in every line of `text` say, as the members of struct text_header describe it. Does one of
  * them name a unit? */

@@ -27,6 +27,25 @@ static struct profile make(struct scan scan, enum level level)
     return profile;
 }
 
+/* The same of a short record, with positions and without. */
+TEST_CASE(test_run_up_with_positions)
+{
+    for (size_t i = 0; i < 1000; i++) {
+        x_m[i] = (double)i * 2.5e-7;
+        z_m[i] = smooth(x_m[i]) + (i < 100 || i >= 800 ? 1e-3 : 0);
+    }
+    for (int with_x = 0; with_x < 2; with_x++) {
+        struct scan scan = scan_on(x_m, z_m, 1000, 2.5e-7);
+        scan.x_m = with_x ? x_m : NULL;
+        scan.margin_m[0] = 100 * 2.5e-7;
+        scan.margin_m[1] = 200 * 2.5e-7;
+        struct profile profile = profile_good(&scan, &(struct profile_options){.level = LEVEL_NONE});
+        assert_int_equal(profile.points, 700);
+        assert_memory_equal(profile.height_m, z_m + 100, 700 * sizeof(double));
+        profile_free(&profile);
+    }
+}
+
 TEST_CASE(test_uniform_positions_are_taken_as_they_are)
 {
     for (int with_x = 0; with_x < 2; with_x++)

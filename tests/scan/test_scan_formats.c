@@ -248,6 +248,52 @@ TEST_CASE(test_interferometers)
     assert_refused("Zygo XYZ Data File - Format 1\n1\n2\n0 0 x 2\n", "file:4: no numbers of columns and rows");
 }
 
+#define PS10(travel) "[PROFILE_HEADER]\r\nINTERVAL_LIN=0.000500\r\n" travel "NO_POINTS=6\r\n[PROFILE_VALUES]\r\n"
+#define PS10_POINTS                                                                                                    \
+    "0=0.0000 0.0005 0\r\n1=0.0005 -0.00125 1\r\n2=0.0010 0.00275 0\r\n3=0.0015 0.000125 1\r\n4=0.0020 0.008 0\r\n"    \
+    "5=0.0025 -0.0035 0\r\n"
+#define COMMAS                                                                                                         \
+    "0=0,0000 0,0005 0\n1=0,0005 -0,00125 1\n2=0,0010 0,00275 0\n3=0,0015 0,000125 1\n4=0,0020 0,008 0\n"              \
+    "5=0,0025 -0,0035 0\n"
+#define ZXL                                                                                                            \
+    "// Z, X, Lock, C\n0=0.0005 0.0000 0 9\n1=-0.00125 0.0005 0 9\n2=0.00275 0.0010 0 9\n3=0.000125 0.0015 0 9\n"      \
+    "4=0.008 0.0020 0 9\n5=-0.0035 0.0025 0 9\n"
+
+/* A MarSurf PS 10 writes x, z and a flag, and no line that names them; a file's own line goes before that. */
+TEST_CASE(test_fields_of_mahr_text)
+{
+    static const char *const texts[] = {PS10("") PS10_POINTS, PS10("PRETRAV_LIN=0.0\nPOSTTRAV_LIN=0,0\n") COMMAS,
+                                        PS10("") ZXL};
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
+        print_message("%s\n", texts[i]);
+        struct scan scan = read_good(texts[i], "", "");
+        static const double z_um[] = {0.5, -1.25, 2.75, 0.125, 8, -3.5};
+        assert_int_equal(scan.nx, 6);
+        for (size_t k = 0; k < 6; k++) {
+            assert_within(scan.z_m[k], z_um[k] * 1e-6, 1e-18);
+            assert_within(scan.x_m[k], (double)k * 0.5e-6, 1e-18);
+        }
+        assert_int_equal(scan.warning_count, 0);
+        scan_free(&scan);
+    }
+    struct scan scan = read_good(PS10("PRETRAV_LIN=0.0005\r\nPOSTTRAV_LIN=0,001\r\n") PS10_POINTS, "", "");
+    assert_int_equal(scan.nx, 6);
+    assert_within(scan.margin_m[0], 0.5e-6, 1e-18);
+    assert_within(scan.margin_m[1], 1e-6, 1e-18);
+    scan_free(&scan);
+    scan = read_good("[PROFILE_HEADER]\nPRETRAV_LIN=1\nPOSTTRAV_LIN=2\nNO_POINTS=3\n[PROFILE_VALUES]\n"
+                     "0=3 0 0\n1=2 1 0\n2=0 0 0\n",
+                     "", "");
+    assert_near(scan.margin_m[0], 2e-3, 1e-12); /* x descends, and with it the ends are exchanged */
+    assert_near(scan.margin_m[1], 1e-3, 1e-12);
+    scan_free(&scan);
+    assert_refused(PS10("") "0=0 1 0\n1=1 2\n" PS10_POINTS,
+                   "file:6: '1=1 2' is no line `index=x z ...` with as many fields");
+    assert_refused(MAHR_HEAD "0=0 1 0\n" MAHR_POINTS,
+                   "file:7: '0=0 1 0' is no line `index=x y z ...` with as many fields");
+    assert_refused(PS10("PRETRAV_LIN=-1\n") PS10_POINTS, "file:3: PRETRAV_LIN is no length");
+}
+
 TEST_CASE(test_refusals)
 {
     assert_refused(MAHR_HEAD MAHR_POINTS, "file:11: the points end after 5 of 6");

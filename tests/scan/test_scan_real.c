@@ -58,6 +58,31 @@ TEST_CASE(test_containers)
     scan_free(&x3p);
 }
 
+/* Of all points of a MarSurf PS 10's profile, run-up and overtravel among them: Rq over the best line. */
+TEST_CASE(test_portable_instrument)
+{
+    NEED_REAL_SCANS();
+    static const double rq_um[] = {11.426789483396439, 22.649348463540576, 19.733699635472412, 16.01250724151031};
+    for (size_t k = 0; k < 4; k++) {
+        struct scan scan = read_real(filled("mahr_ps10_%c.txt", (char)('1' + k)), "", "");
+        assert_int_equal(scan.nx, 6400);
+        assert_near(scan.dx_m, 0.5e-6, 1e-9);
+        assert_within(scan.margin_m[0], 0.4e-3, 1e-15);
+        assert_within(scan.margin_m[1], 0.4e-3, 1e-15);
+        double mean = 0, slope = 0, moment = 0, square = 0, middle = (double)(scan.nx - 1) / 2;
+        for (size_t i = 0; i < scan.nx; i++)
+            mean += scan.z_m[i] / (double)scan.nx;
+        for (size_t i = 0; i < scan.nx; i++) {
+            slope += ((double)i - middle) * scan.z_m[i];
+            moment += ((double)i - middle) * ((double)i - middle);
+        }
+        for (size_t i = 0; i < scan.nx; i++)
+            square += pow(scan.z_m[i] - mean - slope / moment * ((double)i - middle), 2);
+        assert_near(sqrt(square / (double)scan.nx), rq_um[k] * 1e-6, 1e-9);
+        scan_free(&scan);
+    }
+}
+
 /* The same points in the list of main.xml and in a binary file with a mask. */
 TEST_CASE(test_x3p_forms)
 {

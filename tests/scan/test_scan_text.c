@@ -127,9 +127,132 @@ TEST_CASE(test_words_of_spacing)
     }
     assert_four_points("X step distance = 1000 um\nstep = 1 mm\nz unit: um\n0.5\n-1.25\n2.75\n0.125\n", "", "");
     assert_refused("spacing = 1 mm\ntitle\nstep = 2 mm\nz unit: um\n0.5\n-1.25\n2.75\n0.125\n",
-                   "file:3: the spacing is another one than in line 1; correct or remove one of them");
+                   "file:1: lines 1 and 3 name two spacings; remove the one that is not meant");
     /* a pixel's size, but nothing else of it, makes a matrix */
     assert_refused("pixel depth = 2 um\n1 3 2 4\n5 1 3 1\n1 1 1 1\n", "without its pixel size");
+}
+
+/* What else a header says in steps, lengths and samplings sets no spacing, and spoils none. */
+TEST_CASE(test_words_of_no_spacing)
+{
+    static const char *const lines[] = {
+        "Sampling length: 0.8 mm",
+        "Row step = 0.002 mm",
+        "Sampling rate: 100 Hz",
+        "Sampling speed 2 mm/s",
+        "Step [mm/s]: 2",
+        "Resolution = 1024 points",
+        "Resolution [dpi]: 600",
+        "Profile spacing: 3 mm",
+        "Mean spacing RSm = 0.12 mm",
+        "Groove pitch: 0.1 mm",
+        "Thread pitch: 1.5 mm",
+        "Time interval: 0.5 ms",
+        "Sampling frequency = 2000",
+        "Number of sampling points: 8000",
+        "Sampling interval: 5 ms",
+        "Line pitch: 5 um",
+        "Step, 7, Hz",
+        "step 2 um per second",
+        "Sampling: 5 seconds",
+        "Step [rpm]: 20",
+        "Spacing Sm: 0.2 mm",
+    };
+    for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
+        print_message("%s\n", lines[i]);
+        assert_four_points(filled("%s\nx step = 1 mm\nz unit: um\n0.5\n-1.25\n2.75\n0.125\n", lines[i]), "", "");
+        assert_four_points(filled("x step = 1 mm\n%s\nz unit: um\n0.5\n-1.25\n2.75\n0.125\n", lines[i]), "", "");
+        assert_refused(filled("%s\nz unit: um\n0.5\n-1.25\n2.75\n0.125\n", lines[i]),
+                       "one column is heights only: no spacing");
+    }
+    static const char *const same[] = {
+        "dx = 1000 um\nspacing 1 mm",       "X-step: 1 mm", "step 1 mm per sample",  "dx = 1 mm, T = 300",
+        "X step 1.004 mm\ndx [mm] = 1.000", "dx = 1,0 mm",  "pitch of x: 1000,0 um", "dx=1mm\ndx = 1",
+    };
+    for (size_t i = 0; i < sizeof same / sizeof *same; i++)
+        assert_four_points(filled("%s\nz unit: um\n0.5\n-1.25\n2.75\n0.125\n", same[i]), "", "");
+}
+
+TEST_CASE(test_two_spacings)
+{
+#define HEIGHTS "z unit: um\n0.5\n-1.25\n2.75\n0.125\n"
+    assert_refused("x step 1 mm\n\nspacing 2 mm\n" HEIGHTS, "file:1: lines 1 and 3 name two spacings");
+    assert_refused("dx = 1 mm\nspacing = 2\n" HEIGHTS, "file:1: lines 1 and 2 name two spacings");
+    assert_refused("dx = 1\nspacing 2 mm\n" HEIGHTS, "file:1: lines 1 and 2 name two spacings");
+    assert_refused("pixel size = 1 um\npixel size = 2 um\nz unit: um\n1 3 2 4\n5 1 3 1\n1 1 1 1\n",
+                   "file:1: lines 1 and 2 name two pixel sizes");
+    /* beside x neither is needed */
+    struct scan scan = read_good("dx = 1 mm\nspacing 2 mm\nx [mm],z [um]\n0,1\n1,2\n2,1\n", "", "");
+    assert_near(scan.dx_m, 1e-3, 1e-12);
+    assert_within(scan.nominal_dx_m, 0, 0);
+    scan_free(&scan);
+}
+
+/* A comment header between the rows begins another block; remarks, rows taken out and a footer do not. */
+TEST_CASE(test_blocks)
+{
+    static const char *const others[] = {"# Channel: Phase", "# Channel:2", "# spacing 2 um", "# z [nm]",
+                                         "# x unit: mm"};
+    for (size_t i = 0; i < sizeof others / sizeof *others; i++) {
+        struct scan scan = read_good(
+            filled("# dx = 1 mm\n# z [um]\n0.5\n-1.25\n2.75\n0.125\n\n%s\n7\n8\n# b: 1\n9\n", others[i]), "", "");
+        assert_int_equal(scan.nx, 4);
+        assert_near(scan.dx_m, 1e-3, 1e-12);
+        assert_int_equal(scan.warning_count, 1);
+        assert_non_null(strstr(scan.warnings[0], "2 more blocks of rows, the first below line 8, '"));
+        assert_non_null(strstr(scan.warnings[0], others[i] + 2));
+        scan_free(&scan);
+    }
+    static const char *const none[] = {"", "# stylus lifted at 10:31", "# 0.5 7", "#"};
+    for (size_t i = 0; i < sizeof none / sizeof *none; i++) {
+        struct scan scan = read_good(
+            filled("x [mm],z [um]\n0,0.5\n1,-1.25\n%s\n2,2.75\n3,0.125\n# end: 1\n\n# unit: mm\n", none[i]), "", "");
+        assert_int_equal(scan.nx, 4);
+        assert_int_equal(scan.warning_count, 0);
+        scan_free(&scan);
+    }
+}
+
+/* Headers of maps of other programs, and of Gwyddion in other languages. */
+TEST_CASE(test_headers_of_maps)
+{
+#define MATRIX "1\t3\t2\t4\n5\t1\t3\t1\n1\t1\t1\t1\n"
+    static const struct {
+        const char *text;
+        double dx_m, dy_m, z_m;
+    } maps[] = {
+        {"# File Format = ASCII\n# Created by SPIP 6\n# x-pixels = 4\n# x-length = 8000\n# y-length = 3000\n"
+         "# z-unit = nm\n# Start of Data:\n" MATRIX,
+         2e-6, 1e-6, 1e-9},
+        {"File Format = ASCII\r\nCreated by Nova\r\nNX = 4\r\nScale X = 2\r\nScale Y = 1\r\nUnit X = um\r\n"
+         "Unit Data = nm\r\nScale Data = 3\r\nDataScaleNeeded = no\r\nStart of Data :\r\n" MATRIX,
+         2e-6, 1e-6, 1e-9},
+        {"File Format = ASCII\nCreated by Nova\nScale X = 2\nScale Y = 1\nUnit X = um\nUnit Data = nm\n"
+         "Scale Data = 3\nDataScaleNeeded = yes\nStart of Data :\n" MATRIX,
+         2e-6, 1e-6, 3e-9},
+        {"# Canal : Topo\n# Largeur : 8,000 \xC2\xB5m\n# Hauteur : 3,000 \xC2\xB5m\n# Unit\xC3\xA9s : m\n" MATRIX, 2e-6,
+         1e-6, 1},
+        {"# Kanal: a\n# Breite: 8.0 \xB5m\n# H\xF6he: 3.0 \xB5m\n# Einheit: nm\n" MATRIX, 2e-6, 1e-6, 1e-9},
+        {"# a: 4 um\n# b: 3 um\n# z unit: nm\n" MATRIX, 1e-6, 1e-6, 1e-9},
+    };
+    for (size_t i = 0; i < sizeof maps / sizeof *maps; i++) {
+        print_message("%s\n", maps[i].text);
+        struct scan scan = read_good(maps[i].text, "", "");
+        assert_int_equal(scan.nx, 4);
+        assert_int_equal(scan.ny, 3);
+        assert_near(scan.dx_m, maps[i].dx_m, 1e-12);
+        assert_near(scan.dy_m, maps[i].dy_m, 1e-12);
+        assert_near(scan.z_m[1], 3 * maps[i].z_m, 1e-12);
+        scan_free(&scan);
+    }
+    /* lengths that need not be of the map: no square pixels, three of them, not in lines that follow each other */
+    static const char *const others[] = {"# tip: 4 um\n# b: 5 um\n", "# a: 4 um\n# b: 3 um\n# c: 1 um\n",
+                                         "# a: 4 um\n# x\n# b: 3 um\n", "# a: 4 um/s\n# b: 3 um\n"};
+    for (size_t i = 0; i < sizeof others / sizeof *others; i++)
+        assert_refused(filled("%s# p: 1\n1 3 2 4\n5 1 3 1\n1 1 1 1\n", others[i]), "without its pixel size");
+    assert_refused(
+        "# x-length = 8000\n# y-length = 3000\n1 3 2 4 1 1 1 1 1 1\n5 1 3 1 1 1 1 1 1 1\n1 1 1 1 1 1 1 1 1 x\n",
+        "'x' in a column");
 }
 
 TEST_CASE(test_a_spacing_beside_positions)
@@ -350,38 +473,44 @@ static void assert_map(const char *text, double dx_m, double dy_m, double first_
     scan_free(&scan);
 }
 
-#define HEIGHTS "1\t2\t3\t1\n2\t4\t1\t2\n"
+#define TWO_ROWS "1\t2\t3\t1\n2\t4\t1\t2\n"
 
 /* What programs write above a map, in their own units and in any language. */
-TEST_CASE(test_headers_of_maps)
+TEST_CASE(test_maps_in_any_language)
 {
-    assert_map("# Canal : Topo\n# Largeur : 2.0 \xC2\xB5m\n# Hauteur : 1.0 \xC2\xB5m\n# Unit\xC3\xA9s : m\n" HEIGHTS,
+    assert_map("# Canal : Topo\n# Largeur : 2.0 \xC2\xB5m\n# Hauteur : 1.0 \xC2\xB5m\n# Unit\xC3\xA9s : m\n" TWO_ROWS,
                5e-7, 5e-7, 1);
-    assert_map("# Created by SPIP 6.3\n# x-length = 2000\n# y-length = 1000\n# z-unit = nm\n" HEIGHTS, 5e-7, 5e-7,
+    assert_map("# Created by SPIP 6.3\n# x-length = 2000\n# y-length = 1000\n# z-unit = nm\n" TWO_ROWS, 5e-7, 5e-7,
                1e-9);
-    assert_map("Created by Nova\nNX = 4\nScale X = 0.5\nScale Y = 0.5\nUnit X = um\nUnit Data = nm\n" HEIGHTS, 5e-7,
+    assert_map("Created by Nova\nNX = 4\nScale X = 0.5\nScale Y = 0.5\nUnit X = um\nUnit Data = nm\n" TWO_ROWS, 5e-7,
                5e-7, 1e-9);
     assert_map("\"Modell\",\"x\"\n\"XY-Justierung\",\"500\",\"nm/"
                "pixel\"\n\"Einheit\",\"\xB5m\"\n\n\"1\",\"2\",\"3\",\"1\"\n\"2\",\"4\",\"1\",\"2\"\n",
                5e-7, 5e-7, 1e-6);
     /* a third length could be anything */
-    assert_refused("# Largeur : 2.0 um\n# Hauteur : 1.0 um\n# Pas : 3 um\n# Unites : m\n" HEIGHTS HEIGHTS,
+    assert_refused("# Largeur : 2.0 um\n# Hauteur : 1.0 um\n# Pas : 3 um\n# Unites : m\n" TWO_ROWS TWO_ROWS,
                    "without its pixel size");
+    assert_refused("# Width: 2.0 um\n# Height: 1.0 um\n# Width: 3 um\n# z unit: m\n" TWO_ROWS,
+                   "file:1: lines 1 and 3 name two widths");
+    /* a step stays one when it is counted by pixels; what is no pixel's stays out */
+    assert_map("resolution 0.5 um/pixel\npixel size = 0.5 um\nz unit: um\n" TWO_ROWS, 5e-7, 5e-7, 1e-6);
+    assert_four_points("step 1 mm/pixel\nz unit: um\n0.5\n-1.25\n2.75\n0.125\n", "", "");
+    assert_refused("\"Z calibration\",\"2\",\"um/pixel\"\n1,3,2,4\n5,1,3,1\n1,1,1,1\n", "without its pixel size");
 }
 
 /* Keys in a comment between rows begin another block, which is left for a file of its own; a remark does not. */
-TEST_CASE(test_blocks)
+TEST_CASE(test_blocks_of_maps)
 {
     static const char *const seconds[] = {"# Channel: Phase\n# Width: 2 um\n3\t4\t5\t6\n",
                                           "# spacing 2 um\n3\t4\t5\t6\n"};
     for (size_t k = 0; k < 2; k++) {
-        struct scan scan = read_good(filled("# pixel size = 0.5 um\n# z unit: um\n" HEIGHTS "%s", seconds[k]), "", "");
+        struct scan scan = read_good(filled("# pixel size = 0.5 um\n# z unit: um\n" TWO_ROWS "%s", seconds[k]), "", "");
         assert_int_equal(scan.ny, 2);
         assert_non_null(
-            strstr(scan.warnings[scan.warning_count - 1], "another block begins in line 5 and is not read"));
+            strstr(scan.warnings[scan.warning_count - 1], "1 more block of rows, the first below line 5, '"));
         scan_free(&scan);
     }
-    struct scan scan = read_good("# pixel size = 0.5 um\n# z unit: um\n" HEIGHTS "# checked\n3\t4\t5\t6\n", "", "");
+    struct scan scan = read_good("# pixel size = 0.5 um\n# z unit: um\n" TWO_ROWS "# checked\n3\t4\t5\t6\n", "", "");
     assert_int_equal(scan.ny, 3);
     scan_free(&scan);
 }
