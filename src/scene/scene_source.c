@@ -270,8 +270,8 @@ bool scene_source_rules(struct scene_source *source, const struct scene_mapping 
                 return scene_source_fail(source, own, "'%s' stands beside %s; remove either", key->name, demand.text);
         if (!own || !next_demand(&demand, &above, mapping, lines) || demand.given == 0)
             continue;
-        const double more = *(const double *)((const char *)into + key->at),
-                     less = *(const double *)((const char *)into + mapping->keys[demand.key].at);
+        const void *own_at = (const char *)into + key->at, *less_at = (const char *)into + mapping->keys[demand.key].at;
+        const double more = *(const double *)own_at, less = *(const double *)less_at;
         const char *si = unit_si((enum unit_quantity)key->quantities);
         if (!(more > less))
             return scene_source_fail(source, own, "'%s' is %g %s, not above %s, %g %s; correct either", key->name, more,
