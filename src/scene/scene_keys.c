@@ -68,7 +68,6 @@ static bool read_models(struct scene_source *source, const struct scene_key *key
         return false;
     uint64_t *models = field;
     *models = 0;
-    source->scene->models_named = true;
     for (size_t i = 0; i < set.count; i++)
         *models |= set.given[i] ? model_find(set.names[i]) : 0;
     return *models || scene_source_fail_at(source, value, "'models' names none; remove the line for the default ones");
@@ -368,13 +367,13 @@ static bool complete_plating(struct scene_source *source, const size_t *lines, s
 const struct scene_key scene_keys[] = {
     {"title", "heading of the report; default: the directory's name", scene_source_text, .at = AT(title)},
     {"models", "families or single models, as `roughcontact models` lists them; default: those that run by default",
-     read_models, .at = AT(models)},
+     read_models, .at = AT(models), .given = AT(models_named)},
     {"effects", "auto, a list of effects, or both, as --effects takes it; default: auto", read_effects,
      .at = AT(effects)},
     {"material",
      "a built-in material, or a mapping of its properties (E, nu, Sy, resistivity, conductivity, density, "
      "specific_heat, sound_speed, hardness, mean_free_path); default: none, and only what needs no material runs",
-     scene_surfaces_body, .at = AT(bodies)},
+     scene_surfaces_material, .at = AT(bodies.material), .given = AT(bodies.material_given)},
     {"counterface",
      "rigid, same, a material, a mapping of its properties, or another rough surface: {surface: FILE, material: NAME}, "
      "whose amplitudes add as squares and whose profiles are taken in pairs; default: rigid, a flat that conducts like "

@@ -178,6 +178,13 @@ bool scene_source_unknown(struct scene_source *source, const yaml_node_t *node, 
                                 scene_words_hint(shown.text, names, count, count).text);
 }
 
+static bool read_value(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value, void *into)
+{
+    if (key->given)
+        *(bool *)((char *)into + key->given) = true;
+    return key->read(source, key, value, (char *)into + key->at);
+}
+
 /* Of key k, lines[k] and none[k], whether its word is `none` and it says so. */
 static bool read_pair(struct scene_source *source, const yaml_node_pair_t *pair, const struct scene_mapping *mapping,
                       size_t *lines, bool *none, void *into)
@@ -213,9 +220,7 @@ static bool read_pair(struct scene_source *source, const yaml_node_pair_t *pair,
     none[k] = key.word && strcmp(key.word, "none") == 0 && scene_source_is(value, "none");
     if (is_null(value))
         return scene_source_fail(source, line, "'%s' has no value; give one or remove the line", key.name);
-    if (key.given)
-        *(bool *)((char *)into + key.given) = true;
-    return key.read(source, &key, value, (char *)into + key.at);
+    return read_value(source, &key, value, into);
 }
 
 /* One of a list's demands, "b or c": as it is said, and how many of its keys are given. */
@@ -319,7 +324,7 @@ bool scene_source_option(struct scene_source *source, const struct scene_key *ke
     const yaml_node_t node = {.type = YAML_SCALAR_NODE,
                               .data.scalar = {.value = (yaml_char_t *)text, .length = strlen(text)}};
     source->option = option;
-    bool good = key->read(source, key, &node, (char *)into + key->at);
+    bool good = read_value(source, key, &node, into);
     source->option = NULL;
     return good;
 }

@@ -150,8 +150,8 @@ scene_reader scene_surfaces_counterface;
 /** A pressure, HV 120 or {c1, c2}, into a struct scene_bodies. */
 scene_reader scene_surfaces_hardness;
 extern const struct scene_mapping scene_surfaces_vickers;
-/** A built-in name or a mapping of properties, into a struct scene_bodies. */
-scene_reader scene_surfaces_body;
+/** A built-in name or a mapping of properties, into a struct material. */
+scene_reader scene_surfaces_material;
 /** What was measured, into a struct scene_measured. */
 extern const struct scene_mapping scene_surfaces_measured;
 /** One file or a list of them, each checked to exist, into a struct scene_files. */

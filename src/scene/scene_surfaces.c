@@ -34,9 +34,10 @@ static bool read_material_name(struct scene_source *source, const struct scene_k
 }
 
 /* A built-in name or a mapping of properties. The key's choices are named in the message about an unknown name. */
-static bool read_material(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
-                          struct material *material)
+bool scene_surfaces_material(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
+                             void *field)
 {
+    struct material *material = field;
     if (value->type == YAML_SCALAR_NODE)
         return read_material_name(source, key, value, material);
     if (value->type != YAML_MAPPING_NODE)
@@ -175,15 +176,7 @@ static bool read_body(struct scene_source *source, const struct scene_key *key, 
         return true;
     bodies->counterface_kind = MATERIAL_COUNTERFACE_ELASTIC;
     bodies->counterface_same = scene_source_is(value, "same");
-    return bodies->counterface_same || read_material(source, &material, value, &bodies->counterface);
-}
-
-bool scene_surfaces_body(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
-                         void *field)
-{
-    struct scene_bodies *bodies = field;
-    bodies->material_given = true;
-    return read_material(source, key, value, &bodies->material);
+    return bodies->counterface_same || scene_surfaces_material(source, &material, value, &bodies->counterface);
 }
 
 #define AT(member) offsetof(struct scene_surface, member)
@@ -245,7 +238,7 @@ static const struct scene_key surface_keys[] = {
     {"file", NULL, scene_surfaces_files, .at = AT(files)},
     {"along", NULL, scene_surfaces_files, .at = AT(along)},
     {"lay", NULL, SCENE_NUMBER(AT(lay), 0.0, 1.0), .given = AT(lay_given), .excludes = "along"},
-    {"material", NULL, scene_surfaces_body, .at = AT(bodies)},
+    {"material", NULL, scene_surfaces_material, .at = AT(bodies.material), .given = AT(bodies.material_given)},
     {"counterface", NULL, read_body, .at = AT(bodies)},
     {"hardness", NULL, SCENE_HARDNESS(AT(bodies))},
     {"x_unit", NULL, SCENE_SHORT_TEXT(AT(x_unit), UNIT_BYTES)},

@@ -120,6 +120,7 @@ static const struct wrong rows[] = {
      "'size' is 2e-06 m2 and 'nominal_area' 1e-06 m2; correct either"},
     {"shape: {flatness: 5 um}\n", 1, "'flatness' needs 'over'; add it, or leave 'flatness' out"},
     {"shape: {flatness: 5 um, over: 20 mm, crown: 2 m}\n", 1, "'shape' has several of " WAYS},
+    {"shape: {crown: 2 m,\n scale: true}\n", 2, "'scale' needs 'pressure' or 'bolts'; add one, or leave 'scale' out"},
     {"shape: {size: [1 mm, 2 mm]}\n", 1, "'shape' has none of " WAYS},
     {"shape: {flatness: 5 um, over: 1 um}\n", 1, "'over' is 1e-06 m, not above 'flatness', 5e-06 m; correct either"},
     {"shape: {crown: 2 m, size: 2 mm}\n", 1, "'size' is '2 mm'; give two lengths, as [20 mm, 10 mm]"},
