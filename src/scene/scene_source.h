@@ -58,8 +58,7 @@ extern const struct scene_key *const scene_budget_key; /* of struct scene_direct
 size_t scene_keys_line(const struct scene_source *source, const char *name);
 
 /** Parses `bytes` and reads the keys of source->whole, unless the text says nothing; their rules wait for what else is
- * known. Errors: not YAML, nested too deep,
- * more than one document, those of the keys. */
+ * known. Errors: not YAML, nested too deep, more than one document, those of the keys. */
 MUST_CHECK bool scene_source_read(struct scene_source *source, const char *bytes, size_t length);
 /** A mapping's name, for messages, its keys, and what it asks for, both lists as those of a key. */
 struct scene_mapping {
