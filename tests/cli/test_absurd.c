@@ -245,7 +245,14 @@ TEST_IN_WORKSPACE(test_refusals)
         write_case(place, filled("refused/bad-%zu.csv", i), &cases[i]);
         refused++;
     }
-    char *messages = report(place, "refused", scene_of_reports, refused, false);
+    (void)report(place, "refused", scene_of_reports, refused, false);
+    struct text *all = support_text(); /* stderr names ten, results.json every one */
+    json_t *told = json_object_get(workspace_json(place, "out-refused/results.json"), "refused"), *one;
+    size_t k;
+    json_array_foreach(told, k, one)
+        text_add(all, "surface '%s' refused: %s\n", json_string_value(json_object_get(one, "surface")),
+                 json_string_value(json_object_get(one, "error")));
+    const char *messages = text_string(all);
     for (size_t i = 0; i < CASES; i++) {
         if (!cases[i].refusal)
             continue;

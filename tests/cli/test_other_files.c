@@ -82,7 +82,7 @@ TEST_IN_WORKSPACE(test_counted_notes)
     workspace_write(place, "d/scene.yaml", text_string(scene));
     static const char note[] = "3 columns: column 1 read as x, column 2 as z, the others ignored";
     struct process process = expect_exit(place, 0, "plan", "d");
-    expect_part(process.err, filled("surface 's': 10.csv: %s (and of 11 more scans)\n", note));
+    expect_parts(process.err, "surface 's': ", filled(".csv: %s (and of 11 more scans)\n", note));
     assert_null(strstr(strstr(process.err, note) + 1, note));
 }
 
@@ -94,9 +94,9 @@ TEST_IN_WORKSPACE(test_packed)
     struct process process =
         process_end(process_start_list(place,
                                        (const char *const[]){CMAKE_PROGRAM, "-E", "tar", "cf", "three.zip",
-                                                             "--format=zip", "1.csv", "2.csv", "3.csv", NULL},
+                                                             "--format=zip", "3.csv", "2.csv", "1.csv", NULL},
                                        NULL));
-    assert_int_equal(process.status, 0);
+    assert_int_equal(process.status, 0); /* in the order that the files' contents have, too */
     process = process_end(process_start_list(place, (const char *const[]){"gzip", "1.csv", NULL}, NULL));
     assert_int_equal(process.status, 0);
     expect_output(expect_exit(place, 0, "inspect", "three.zip"), "three.zip(1.csv)\n", "three.zip(2.csv)\n",

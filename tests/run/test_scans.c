@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Several scans of a surface, one alone, and surfaces held against each other, through the whole program. */
+#include "cli/process.h"
 #include "run/pipeline.h"
 #include "statistics/interval.h"
 
@@ -248,6 +249,19 @@ TEST_IN_DIRECTORY(copies_among_scans)
     assert_near(table_number(&four, 0, "scans"), 3, 0);
     assert_near(table_number(&four, 0, "effective"), table_number(&three, 0, "effective"), 0);
     expect_in_file(place, "four/report.md", "holds the same heights as");
+}
+
+/** Copies of a scan that cannot be used are none either. */
+TEST_IN_DIRECTORY(copies_of_a_refused_scan)
+{
+    for (int s = 0; s < 2; s++)
+        directory_write(place, s ? "in/b.csv" : "in/a.csv", "x [um],z [um]\n0,1\n1,2\n2,1\n3,2\n4,1\n5,3\n");
+    rough(place, "in/good.csv", POINTS, 1, 1);
+    directory_write(place, "in/scene.yaml",
+                    "surfaces: [{name: bad, file: [a.csv, b.csv]}, {name: good, file: good.csv}]\n");
+    struct process run = process_run(place->path, "report", "in", "-o", "out", "--no-cost");
+    assert_int_equal(run.status, 1);
+    expect_parts(run.err, "surface 'bad' refused", "6 points carry no spectrum");
 }
 
 /** New names change no number, not even in the last digit. */
