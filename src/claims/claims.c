@@ -835,6 +835,27 @@ static bool hardness(struct claims *c)
     return true;
 }
 
+/** Files that hold the heights of one before, which are no evidence of their own. */
+static bool duplicates(struct claims *c)
+{
+    size_t copies = 0;
+    for (size_t i = c->results->surface_count; i-- > 0;) {
+        const struct surface_summary *s = summary_of(c, i);
+        if (s->copies == 0)
+            continue;
+        copies += s->copies;
+        json_decref(c->surface);
+        c->surface = json_shown(s->scene->name);
+        text_free(&c->told);
+        put_text(c, "file", s->copy_file);
+        put_text(c, "of", s->copy_of);
+    }
+    if (copies > 1)
+        c->key = "duplicates-more";
+    put_count(c, "more", copies - (copies > 0));
+    return copies > 0;
+}
+
 /** Keys of the scene that a user's own part needs, where they are missing. */
 static bool needs(struct claims *c)
 {
@@ -906,6 +927,7 @@ static const struct claim_row {
     {"shares", CLAIM_CONTEXT, share, effects},
     {"chosen", CLAIM_CONTEXT, chosen, once},
     {"hardness", CLAIM_CONTEXT, hardness, once},
+    {"duplicates", CLAIM_CONTEXT, duplicates, once},
     {"needs", CLAIM_CONTEXT, needs, once},
 };
 

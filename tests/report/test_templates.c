@@ -178,7 +178,7 @@ TEST_CASE(other_templates_fill_in_what_the_program_says)
                      {"inspect.txt", {"src/cli/inspection.c", "src/output/record.c"}},
                      {"words.txt",
                       {"src/chart/", "src/report/", "src/results/", "src/scene/", "src/plan/", "src/run/",
-                       "src/members/", "src/answers/", "src/cli/"}},
+                       "src/members/", "src/answers/", "src/claims/", "src/cli/"}},
                      {"scene.yaml", {"src/cli/cmd_init.c"}},
                      {"page.html", {"src/report/html.c"}},
                      {"charts/letters.gp", {"src/chart/"}},
@@ -278,15 +278,4 @@ TEST_CASE(what_is_asked_for_has_words)
     }
     assert_true(names > 95);
     text_free(&words);
-}
-
-/** The words of a ratio mean the number that the program takes them for. */
-TEST_CASE(words_of_ratios_mean_them)
-{
-    static const char *const said[][2] = {
-        {"ratio.quarter", "a quarter of"}, {"ratio.third", "a third of"},  {"ratio.half", "half"},
-        {"ratio.twice", "twice"},          {"ratio.three", "three times"}, {"ratio.times", "0.7 times"}};
-    struct words *words = support_words();
-    for (size_t i = 0; i < sizeof said / sizeof *said; i++)
-        assert_string_equal(words_say(words, "%s\nnumber 0.7", said[i][0]), said[i][1]);
 }
