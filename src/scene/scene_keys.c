@@ -472,7 +472,7 @@ const struct scene_key scene_keys[] = {
      "middle "
      "of an area of 0.1 to 10 %",
      read_one_load, .at = AT(operating), LOADS},
-    {"targets", "a list of {ecr, tcr, conductance, gap, area or temperature: value}: the load that each takes",
+    {"targets", "a list of {ecr, tcr, conductance, gap, area or temperature: value}: the load that each needs",
      scene_asked_read, .at = 0},
     {"limits",
      "a mapping of such quantities, each {most: value} or {least: value}, at the operating load; `report --check` ends "
