@@ -386,8 +386,8 @@ const struct scene_key scene_keys[] = {
      "say its own and is no map; default: no lay",
      SCENE_NUMBER(AT(lay), 0.0, 1.0), .given = AT(lay_given)},
     {"measured",
-     "{file (a list or pattern: each a run), quantity: ecr or tcr, load_unit, resistance_unit, carry: false (the "
-     "model's numbers stay)}: resistance measured on the baseline; it stands above the models",
+     "{file (a list or pattern: each a run), quantity: ecr or tcr, load_unit, resistance_unit, carry}: resistance "
+     "measured on the baseline; it stands above the models, but with carry: false; default: carry: true",
      SCENE_MEASURED(AT(measured))},
     {"nominal_area", "default: none, and resistances stay per area",
      SCENE_QUANTITY(AT(nominal_area_m2), UNIT_AREA, 1e-18, 1e6), .word = "none", .alias = "nominal_area_m2"},
@@ -408,7 +408,7 @@ const struct scene_key scene_keys[] = {
      "middle "
      "of an area of 0.1 to 10 %",
      read_one_load, .at = AT(operating), LOADS},
-    {"targets", "a list of {ecr, tcr, conductance, gap, area or temperature: value}: the load that each takes",
+    {"targets", "a list of {ecr, tcr, conductance, gap, area or temperature: value}: the load that each needs",
      scene_asked_read, .at = 0},
     {"limits",
      "a mapping of such quantities, each {most: value} or {least: value}, at the operating load; `report --check` ends "
@@ -416,8 +416,8 @@ const struct scene_key scene_keys[] = {
      scene_asked_read, .at = 0},
     {"tolerance", "relative, of every reported number; default: 1e-6", SCENE_NUMBER(AT(tolerance), 1e-14, 0.1)},
     {"accuracy",
-     "that the answer is to be expected within, as 30 %: of the models that docs/validation.md finds as good the "
-     "cheapest runs alone; default: none is asked, and all run",
+     "that 95 of 100 answers are to lie within, as 200 % (a factor of 3): of the models that docs/validation.md finds "
+     "as good the cheapest runs alone; default: none is asked, and all run",
      SCENE_QUANTITY(AT(accuracy), UNIT_NUMBER | UNIT_PERCENT, 1e-3, 1e3)},
     {"level", "what is taken out of a scan; default: line, of a periodic record the mean alone",
      SCENE_CHOICE(AT(level), level_names), .given = AT(level_given)},

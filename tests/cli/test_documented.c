@@ -147,7 +147,7 @@ TEST_IN_WORKSPACE(report_is_described)
     workspace_write(place, "in/scene.yaml", "surfaces: [{name: two, file: c.csv}]\n"); /* a smooth counterface */
     run_to_exit(place, 0, "report", "in", "-o", "out");
     check_sections(document, place);
-    assert_int_equal(sections, 11); /* all but the joint's */
+    assert_int_equal(sections, 12); /* all but the joint's */
 }
 
 /** What docs/tutorial.md quotes, a line behind "> ", stands in the report that it speaks of. */

@@ -134,7 +134,7 @@ TEST_IN_WORKSPACE(each_proposal_is_a_scene)
 /* Without a scene the page says which three keys make the answer the user's; with one it does not. */
 TEST_IN_WORKSPACE(three_keys_make_it_his)
 {
-    static const char line[] = "`material`, `nominal_area` and `operating_load` in a scene.yaml";
+    static const char line[] = "set `material` for your part (`roughcontact init` writes a scene)";
     workspace_scan(place, "d/a.csv", 200, 1);
     run_to_exit(place, 0, "report", "d", "--brief", "--no-cost", "-o", "o");
     expect_in_file(place, "o/report.md", line);

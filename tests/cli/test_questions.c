@@ -61,23 +61,17 @@ static void expect_kept_picture(const char *place, const char *path)
     assert_int_equal(*a, *b);
 }
 
-/** Newtons for 1 mohm; does my measurement agree; the textbook; whether wear matters; longer or finer scan. */
+/** Newtons for 1 mohm; does my measurement agree; the textbook; best and significant; longer or finer scan. */
 TEST_IN_WORKSPACE(a_connector)
 {
     run_to_exit(place, 0, "report", PROJECT_SOURCE "/surfaces/connector", "-o", "out", "--no-cost");
-    char *page = first_page(place, "out"), load[80];
-    view_text_of(load, sizeof load, place, "out", "answers", "load");
-    expect_parts(page, "**1\u00a0mΩ takes ", "\u00a0N** (95 % ", ", film and plating included.", load);
-    expect_parts(page,
-                 "Your measurement of *as plated* reaches 1\u00a0mΩ at 0.966\u00a0N loading and 0.515\u00a0N unloading",
-                 "; your contact carries ", " of the predicted conductance");
-    assert_null(strstr(page, "the measured resistance")); /* that would be the same number again */
-    expect_part(page, "Textbook (");
-    says(place, "out", page, "textbook", "load");
-    expect_part(page,
-                "In contact resistance without film and plating at 1.00\u00a0N they do not differ significantly (p = ");
-    expect_part(page, "Least certain: ");
-    expect_part(page, "of its longest waves: a longer one may change resistances by a factor 2 or more.");
+    char *page = first_page(place, "out");
+    says(place, "out", page, "headline", "markdown");
+    expect_parts(page, "**To reach 1\u00a0mΩ, *as plated* needs 0.966\u00a0N (measured) and *worn* needs ",
+                 " (95\u00a0%: ", "| as plated | 0.966 measured | 0.970 measured | ✓ met |", "| ? undecided |");
+    expect_parts(page, "**Few spots:** about ", "**Your test:** 1\u00a0mΩ at 0.966\u00a0N. *as plated* conducts ",
+                 " times what the model says (95\u00a0%: ", "**Uncertainty ×÷\u00a0", "from the choice of model",
+                 "**Flatness counts:** ", "**Textbook (CMY):** ", "of the resistance.", "heat the spots by ");
     expect_kept_picture(place, "out/figures/answer.svg");
 }
 
@@ -90,22 +84,22 @@ TEST_IN_WORKSPACE(a_conductance)
                     "load: {from: 0.1 MPa, to: 10 MPa, points: 21}\n");
     run_to_exit(place, 0, "report", "d", "--no-cost", "-o", "gap");
     char *page = first_page(place, "gap");
-    expect_parts(page, "**At 1.00\u00a0MPa the joint conductance is ", "\u00a0W/(m²·K)**");
-    says(place, "gap", page, "answers", "value");
+    expect_parts(page, "**At 1.00\u00a0MPa the joint conductance is ", "\u00a0W/(m²·K) (95\u00a0%: ");
+    says(place, "gap", page, "headline", "markdown");
+    expect_part(page, "The gaps carry ");
     workspace_write(place, "d/scene.yaml",
                     "material: copper\neffects: [plasticity, thermal]\noperating_load: 1 MPa\n"
                     "load: {from: 0.1 MPa, to: 10 MPa, points: 21}\n");
     run_to_exit(place, 0, "report", "d", "--no-cost", "-o", "bare");
     page = first_page(place, "bare");
-    char value[80];
-    view_text_of(value, sizeof value, place, "bare", "answers", "value");
     expect_part(page, "**At 1.00\u00a0MPa the contact conductance is ");
+    const double shown = atof(strstr(page, "conductance is ") + strlen("conductance is "));
     struct table contact = workspace_table(place, "bare/data/contact.csv");
     size_t same = 0;
     for (size_t i = 0; i < contact.rows; i++) { /* 1/TCR of some model at that pressure, but for the power of ten */
-        double decades = log10(table_number(&contact, i, "tcr_K_m2_per_W") * strtod(value, NULL));
+        double decades = log10(table_number(&contact, i, "tcr_K_m2_per_W") * shown);
         same +=
-            fabs(table_number(&contact, i, "pressure_Pa") / 1e6 - 1) < 1e-9 && fabs(decades - round(decades)) < 0.003;
+            fabs(table_number(&contact, i, "pressure_Pa") / 1e6 - 1) < 1e-9 && fabs(decades - round(decades)) < 0.03;
     }
     assert_true(same >= 1);
 }
@@ -119,15 +113,13 @@ TEST_IN_WORKSPACE(how_far_off)
                     "points: 9}\ndirect: {grid: 64, seeds: 2, loads: 7}\noperating_load: 5e-3\n");
     run_to_exit(place, 0, "report", "d", "--no-cost", "-o", "out");
     char *page = first_page(place, "out");
-    expect_parts(page, "The direct solution of *a* gives ", ": the model ");
-    says(place, "out", page, "direct_answer", "value");
-    expect_no_parts(page, "let a direct solution run", "without film");
+    expect_parts(page, "**Checked:** solving *a* directly gives a contact resistance of ", ", the model ");
     workspace_write(place, "d/scene.yaml",
                     "material: tin\nload: {from: 1e-4, to: 2e-2, points: 9}\nfilm: 1e-11 ohm m2\n"
                     "direct: {grid: 64, seeds: 2, loads: 7}\noperating_load: 5e-3\n");
     run_to_exit(place, 0, "report", "d", "--no-cost", "-o", "film");
     page = first_page(place, "film");
-    expect_parts(page, "The direct solution of *a* gives ", "\u00a0Ω·m², without film, at ", ": the model ");
+    expect_parts(page, "**Checked:** solving *a* directly gives a ", "\u00a0Ω·m² at ", ", the model ");
 }
 
 /** What a reader has to go through. */
@@ -202,14 +194,18 @@ TEST_IN_WORKSPACE(no_longer_than_that)
         assert_in_range(all.words, 300, 1000);
         assert_in_range(all.figures, 5, 12);
         assert_in_range(all.tables, 4, 10);
-        assert_in_range(page.words, 20, 170);
-        assert_in_range(page.columns, 4, 7);
+        assert_in_range(page.words, 20, 230);
+        assert_in_range(page.columns, 4, 8);
         assert_int_equal(page.tables, 1);
-        assert_int_equal(page.figures, 2);
+        assert_in_range(page.figures, 1, 2); /* the second: of several surfaces */
+        json_t *view = workspace_json(place, "out/view.json");
+        assert_in_range(json_array_size(json_object_get(view, "claims")), 3, 8);
+        const char *headline = json_string_value(json_object_get(json_object_get(view, "headline"), "text"));
+        assert_in_range(size_of(headline).words, 8, 30);
         if (k == 0)
             expect_parts(first, " on *3*", " on *4*"); /* of four surfaces the best and the worst */
         size_t factors = 0;
-        for (const char *at = first; (at = strstr(at, "×÷ ")); at++)
+        for (const char *at = first; (at = strstr(at, "×÷\u00a0")); at++)
             factors++;
         assert_in_range(factors, 1, 4); /* one of them measured */
         if (prints)

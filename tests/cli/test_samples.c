@@ -77,7 +77,7 @@ static char *words_of(char *svg)
 /** A report but for the sentence and table of times: which of two models is the faster may change. */
 static char *without_times(char *report)
 {
-    char *from = strstr(report, "**What accuracy costs**"), *to = from ? strstr(from, "\n\n**What ran") : NULL;
+    char *from = strstr(report, "**What accuracy costs"), *to = from ? strstr(from, "\n\n**What ran") : NULL;
     assert_non_null(to);
     memmove(from, to, strlen(to) + 1);
     return report;
