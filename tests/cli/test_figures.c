@@ -33,15 +33,20 @@ static void numbers_in(char *out, size_t size, const char *script)
 /** What the view says of a chart's caption is what its script draws. */
 static void expect_flags(const char *place, const char *out, const char *name, const json_t *figure)
 {
-    const bool surfaces = strcmp(name, "surfaces") == 0, direct = strcmp(name, "direct") == 0;
+    const bool surfaces = strcmp(name, "surfaces") == 0, direct = strcmp(name, "direct") == 0,
+               at_load = strcmp(name, "surfaces-at-load") == 0, rows = at_load || strcmp(name, "models") == 0;
     char *script = file_of(place, out, name, "gp"), numbers[64];
     const bool dotted = strstr(script, " lw 1.4 dt 3 ");
     const struct {
         const char *flag;
         bool drawn;
     } flags[] = {
-        {"band", strstr(script, "filledcurves") && !direct},
-        {"outside", strstr(script, " lw 1.2 dt 2 ")},
+        {"band", (strstr(script, "filledcurves") && !direct) || strstr(script, "with xerrorbars")},
+        {"outside", strstr(script, " lw 1.2 dt 2 ") || (rows && !at_load && strstr(script, " pt 6"))},
+        {"unadjusted", strstr(script, " lw 1.4 dt 4 ")},
+        {"measured", at_load && strstr(script, " pt 5")},
+        {"bound", at_load && strstr(script, " pt 6")},
+        {"limit", at_load && strstr(script, "set label 'limit ")},
         {"scale_dependent", dotted && (strstr(script, "'6-09 ") || strcmp(name, "tcr") == 0)},
         {"last_scale", dotted && strcmp(name, "ecr") == 0},
         {"law", strstr(script, " lw 2.4 ")},
@@ -95,7 +100,7 @@ TEST_IN_WORKSPACE(captions_say_what_is_drawn)
     expect_captions(place, PROJECT_SOURCE "/surfaces/chapter6", "tin");
     expect_in_file(place, "tin/report.md", "Figures 6\\-01 to 6-04. ", "Figures 6\\-05 to 6-09. ",
                    "Figures 6\\-11 to 6-14. ", "dashed outside", "dotted: TCR scale-dependent",
-                   "statistical gaps adjusted", "up to 99 % contact",
+                   "statistical gaps adjusted, dash\\-dotted: not adjusted", "up to 99 % contact",
                    "TCR versus load, up to 99 % contact; dotted: scale-dependent.");
     /* no model leaves the axis of its ratio to the direct solution */
     struct table ratios = workspace_table(place, "tin/data/direct_ratio.csv");
