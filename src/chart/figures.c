@@ -27,10 +27,9 @@ enum { COLOURS = sizeof surface_colours / sizeof *surface_colours, DASH_OUTSIDE 
 
 #define NOTE(note) (1u << (note))
 
-const char *const figure_notes[] = {"band",       "outside", "adjusted",  "scale_dependent",
-                                    "last_scale", "cut",     "direct",    "few_points",
-                                    "law",        "bins",    "open_bins", "knees",
-                                    "measured",   "limit",   "bound",     "unadjusted"};
+const char *const figure_notes[] = {
+    "band", "outside", "adjusted",  "scale_dependent", "last_scale", "cut",   "direct", "few_points",
+    "law",  "bins",    "open_bins", "knees",           "measured",   "limit", "bound",  "unadjusted"};
 _Static_assert(sizeof figure_notes / sizeof *figure_notes == FIGURE_NOTES, "every note has its name");
 
 /* Beyond this A/A_n a resistance goes to 0 over as many decades as a load happens to come close to full contact. */
@@ -360,10 +359,9 @@ static void put_rows(struct chart *chart, const struct row *rows, size_t count)
         double y = (double)(count - r);
         bool ends = rows[r].ends[0] > 0 && isfinite(rows[r].ends[1]);
         chart_name_row(chart, y, rows[r].label);
-        CURVE(.kind = CHART_DOTS, .legend = "", .colour = rows[r].colour, .marker = rows[r].marker,
-              .notes = rows[r].notes | (ends ? NOTE(FIGURE_BAND) : 0));
-        chart_row(chart, rows[r].value, y, ends ? rows[r].ends[0] : rows[r].value,
-                  ends ? rows[r].ends[1] : rows[r].value);
+        CURVE(.kind = ends ? CHART_DOTS : CHART_POINTS, .legend = "", .colour = rows[r].colour,
+              .marker = rows[r].marker, .notes = rows[r].notes | (ends ? NOTE(FIGURE_BAND) : 0));
+        chart_row(chart, rows[r].value, y, rows[r].ends[0], rows[r].ends[1]);
     }
     chart->panel_height = 42 + 26 * (double)count;
 }
@@ -377,8 +375,12 @@ static struct row surface_row(const struct source *source, size_t surface)
     struct row row = {.value = known.kind == KNOWN_NOTHING ? NAN : asked_shown(asked, known.value),
                       .ends = {NAN, NAN},
                       .surface = surface,
-                      .marker = known.measured ? 5 : bound ? 6 : 7,
-                      .notes = known.measured ? NOTE(FIGURE_MEASURED) : bound ? NOTE(FIGURE_BOUND) : 0};
+                      .marker = known.measured ? 5
+                                : bound        ? 6
+                                               : 7,
+                      .notes = known.measured ? NOTE(FIGURE_MEASURED)
+                               : bound        ? NOTE(FIGURE_BOUND)
+                                              : 0};
     if (!bound)
         asked_ends(row.ends, asked, (const double[]){known.low, known.high});
     row.place = asked->more_is_better ? -row.value : row.value;

@@ -139,7 +139,8 @@ static void put_all_surfaces(json_t *out, const struct view_source *source)
         if (adjusts(source, m)) {
             json_t *head = view_item(heads);
             view_text(head, "label", model_rows[m]->label);
-            view_text(head, "beside", model_rows[m]->counterpart->label);
+            if (model_rows[m]->counterpart)
+                view_text(head, "beside", model_rows[m]->counterpart->label);
         }
     for (size_t i = 0; i < results->surface_count && betas; i++) {
         if (!results->surfaces[i].summary.usable || json_array_size(rows) >= VIEW_ROWS)

@@ -100,7 +100,7 @@ TEST_IN_WORKSPACE(captions_say_what_is_drawn)
     expect_captions(place, PROJECT_SOURCE "/surfaces/chapter6", "tin");
     expect_in_file(place, "tin/report.md", "Figures 6\\-01 to 6-04. ", "Figures 6\\-05 to 6-09. ",
                    "Figures 6\\-11 to 6-14. ", "dashed outside", "dotted: TCR scale-dependent",
-                   "statistical gaps adjusted, dash\\-dotted: not adjusted", "up to 99 % contact",
+                   "statistical gaps adjusted, dot-dash: not adjusted", "up to 99 % contact",
                    "TCR versus load, up to 99 % contact; dotted: scale-dependent.");
     /* no model leaves the axis of its ratio to the direct solution */
     struct table ratios = workspace_table(place, "tin/data/direct_ratio.csv");
