@@ -789,7 +789,7 @@ static void make_direct(struct chart *chart, const struct source *source)
     }
 }
 
-/** 95 % error against time: every model, at each tolerance. */
+/** 95 % error, as the factor of the table beside it, against time: every model, at each tolerance. */
 static void make_accuracy(struct chart *chart, const struct source *source)
 {
     chart->panel_height = 180;
@@ -801,16 +801,18 @@ static void make_accuracy(struct chart *chart, const struct source *source)
         if (!accuracy.known)
             continue;
         struct chart_curve look = model_look(m);
+        const char *name = look.legend;
         look.kind = CHART_LINE;
         look.width = 1.4;
         look.marker = model_rows[m]->marker;
-        chart_curve(chart, &look);
-        for (size_t i = 0; i < BENCHMARK_STEPS; i++)
-            chart_row(chart, accuracy.seconds[i], accuracy.total_error[i], 0, 0);
-        look.kind = CHART_POINTS;
         look.legend = "";
         chart_curve(chart, &look);
-        chart_row(chart, accuracy.seconds[accuracy.used], model_factor(accuracy.sd) - 1, 0, 0);
+        for (size_t i = 0; i < BENCHMARK_STEPS; i++)
+            chart_row(chart, accuracy.seconds[i], 1 + accuracy.total_error[i], 0, 0);
+        look.kind = CHART_POINTS;
+        look.legend = name;
+        chart_curve(chart, &look);
+        chart_row(chart, accuracy.seconds[accuracy.used], model_factor(accuracy.sd), 0, 0);
     }
 }
 
