@@ -106,6 +106,7 @@ void view_first_page(json_t *out, const struct view_source *source)
     json_array_foreach(source->claims, i, claim) json_array_append(i < CLAIMS_MOST ? first : more, claim);
     view_flag(out, "several", results->usable_count > 1);
     view_text(out, "leading", model_rows[source->leading]->label);
+    view_text(out, "leading_does", model_rows[source->leading]->does);
     view_text(out, "baseline", view_name(source, results->baseline));
     view_load(out, "operating_load", source, results->baseline, results_operating_load(results, results->baseline));
     json_t *item = view_part(out, "asked");

@@ -66,6 +66,7 @@ static const struct model_row numeric_stack = {
     .quantities = QUANTITY_BIT(QUANTITY_MEAN_GAP) - 1, /* which is made of its separation */
     .colour = "#2E8B57",
     .marker = 8,
+    .does = "says what it says",
     .equations = "none",
     .source = "source of the numeric stack",
     .assumes = "what the stack assumes",
@@ -82,6 +83,7 @@ static const struct model_row area_alone = {
     .quantities = QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA),
     .colour = "#8B2E57",
     .marker = 9,
+    .does = "says what it says",
     .equations = "none",
     .source = "source of the area alone",
     .assumes = "what the area assumes",
@@ -282,10 +284,12 @@ TEST_CASE(test_the_report)
     char *text = directory_read(&whole, "out/report.md");
     const char *md = text;
     const char *baseline = section(md, "## One surface, every model");
-    expect_parts(baseline, "| numeric stack");
-    assert_row(baseline, "| area alone ", 6);
-    expect_parts(section(md, "## All surfaces"),
-                 " numeric stack | multiscale |"); /* its beta stands beside the others' */
+    expect_parts(baseline, "| [numeric stack](#methods-and-sources)");
+    assert_row(baseline, "| [area alone](#methods-and-sources) ", 6);
+    expect_parts(
+        section(md, "## All surfaces"),
+        "| β of numeric stack, full contact | β of numeric stack, multiscale elastic |"); /* its beta stands beside the
+                                                                                             others' */
     expect_no_parts(section(md, "## All surfaces"), "area alone |");
     expect_parts(section(md, "## The findings"), "numeric stack ");
     const char *measured = section(md, "## Measured");
