@@ -102,9 +102,8 @@ static double half_of(double s, double model)
     return gsl_cdf_tdist_Pinv(0.975, pow(both / s, 4)) * both;
 }
 
-/** The interval of the mean is Student's over ln answer, of the scans' s, |a - b|/2 of two, and of GW's error of ECR,
- * 0.87, by Satterthwaite; an adjusted separation has that of the scans alone. The mean lies in it, and it in that of
- * another scan. */
+/** The interval of the mean is Student's over ln answer, of the scans' s, |a - b|/2 of two, and of GW's error, 0.87 of
+ * ECR and 1.85 of a separation, by Satterthwaite. The mean lies in it, and it in that of another scan. */
 TEST_IN_DIRECTORY(the_interval_of_two)
 {
     double ln[2], ln_gap[2];
@@ -125,7 +124,7 @@ TEST_IN_DIRECTORY(the_interval_of_two)
     assert_near(table_number(&bands, row, "ecr_ohm_m2_next_scan_high_95"), exp(mean + half_of(sqrt(3) * s, 0.87)),
                 1e-9);
     mean = (ln_gap[0] + ln_gap[1]) / 2; /* each over its own sigma */
-    half = half_of(fabs(ln_gap[0] - ln_gap[1]) / 2, 0);
+    half = half_of(fabs(ln_gap[0] - ln_gap[1]) / 2, 1.85);
     assert_near(table_number(&bands, row, "separation_over_sigma_mean_low_95"), exp(mean - half), 1e-9);
     assert_near(table_number(&bands, row, "separation_over_sigma_mean_high_95"), exp(mean + half), 1e-9);
     struct table spread = directory_table(place, "both/data/spread.csv"); /* results.json has the same */
@@ -192,8 +191,10 @@ TEST_IN_DIRECTORY(intervals_in_the_data)
         }
     /* pressed lightly, a separation goes as sigma: record by record their scatter cancels; in metres it is 14 times */
     size_t light = row_of(&bands, "rough", "multiscale-elastic", 1e-6);
-    assert_true(cell(&bands, light, "separation_over_sigma_mean_high_95") <
-                4 * cell(&bands, light, "separation_over_sigma_mean_low_95"));
+    double half = log(cell(&bands, light, "separation_over_sigma_mean_high_95") /
+                      cell(&bands, light, "separation_over_sigma_mean_low_95")) /
+                  2; /* with the model's error, 2.57, taken out of it */
+    assert_true(sqrt(pow(half / 1.96, 2) - pow(2.57, 2)) < log(4) / 2 / 1.96);
     for (int several = 0; several < 2; several++)
         for (int q = 0; q < 3; q++)
             assert_true(known[several][q] > 10);
