@@ -23,7 +23,7 @@ static void add_power_of_ten(struct text *out, int exponent)
 /** Plain notation reads well for these decimal exponents, where it does not show digits that were not asked for. */
 static bool reads_plain(int exponent, int digits)
 {
-    return exponent >= -3 && exponent <= (digits < 5 ? 3 : 4);
+    return exponent >= -3 && exponent <= (digits < 5 && digits > 2 ? 3 : 4);
 }
 
 /** The decimal exponent of `value` as it will be rounded. */
@@ -43,6 +43,10 @@ void number_format(struct text *out, double value, int digits)
     char buffer[64];
     int exponent = exponent_of(value, digits);
     bool plain = reads_plain(exponent, digits);
+    if (plain && digits <= 2 && exponent >= digits) { /* an end of a wide interval: 4900 to 11000, not 4923 */
+        const double step = pow(10, exponent - digits + 1);
+        value = round(value / step) * step;
+    }
     snprintf(buffer, sizeof buffer, plain ? "%.*f" : "%.*e", plain ? (int)fmax(0, digits - 1 - exponent) : digits - 1,
              fabs(value));
     text_add(out, "%s%.*s", value < 0 ? minus : "", (int)strcspn(buffer, "e"), buffer);

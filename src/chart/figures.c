@@ -8,6 +8,7 @@
 #include "results/accuracy.h"
 #include "results/asked.h"
 #include "results/comparison.h"
+#include "results/known.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -26,9 +27,9 @@ enum { COLOURS = sizeof surface_colours / sizeof *surface_colours, DASH_OUTSIDE 
 
 #define NOTE(note) (1u << (note))
 
-const char *const figure_notes[] = {"band",       "outside", "adjusted",  "scale_dependent",
-                                    "last_scale", "cut",     "direct",    "few_points",
-                                    "law",        "bins",    "open_bins", "knees"};
+const char *const figure_notes[] = {
+    "band", "outside", "adjusted",  "scale_dependent", "last_scale", "cut",   "direct", "few_points",
+    "law",  "bins",    "open_bins", "knees",           "measured",   "limit", "bound",  "unadjusted"};
 _Static_assert(sizeof figure_notes / sizeof *figure_notes == FIGURE_NOTES, "every note has its name");
 
 /* Beyond this A/A_n a resistance goes to 0 over as many decades as a load happens to come close to full contact. */
@@ -282,15 +283,20 @@ static void put_direct(struct chart *chart, const struct source *source, double 
     }
 }
 
-/** The first target, with its value as the scene has it. */
+/** A target or a limit, with its value as the scene has it. */
+static void mark_asked(struct chart *chart, const struct source *source, const struct scene_asked *mark,
+                       const char *name, bool vertical)
+{
+    char value[UNIT_LENGTH + 32];
+    asked_text(value, sizeof value, mark->text);
+    chart_mark(chart, vertical, asked_shown(&source->asked, mark->value), SAY("%s\nvalue %s", name, value));
+}
+
+/** The first target. */
 static void mark_target(struct chart *chart, const struct source *source, bool vertical)
 {
-    const struct asked *asked = &source->asked;
-    char value[UNIT_LENGTH + 32];
-    if (!asked->target)
-        return;
-    asked_text(value, sizeof value, asked->target->text);
-    chart_mark(chart, vertical, asked_shown(asked, asked->target->value), SAY("target\nvalue %s", value));
+    if (source->asked.target)
+        mark_asked(chart, source, source->asked.target, "target", vertical);
 }
 
 static void make_answer(struct chart *chart, const struct source *source)
@@ -328,18 +334,94 @@ static void make_answer(struct chart *chart, const struct source *source)
     text_free(&value);
 }
 
-/** A model at the operating load on the baseline. */
+/** What has an answer at the operating load: a model, a surface. */
 struct row {
-    double value, ends[2];
+    double value, ends[2]; /* as shown; ends NaN: no interval */
     const char *label, *colour;
-    double distance;
+    double place; /* the least on top */
+    size_t surface;
+    int marker; /* 0: a dot */
+    unsigned notes;
 };
-enum { ROWS_MOST = 64 }; /* models, by the bits that name them, and the direct solution */
+/* Models, by the bits that name them, and the direct solution; surfaces at the upper end, and at the lower. */
+enum { ROWS_MOST = 64, ROWS_OF_AN_END = 10 };
 
-static int nearer(const void *a, const void *b)
+static int is_lower(const void *a, const void *b)
 {
     const struct row *f = a, *g = b;
-    return (f->distance > g->distance) - (f->distance < g->distance);
+    return (f->place > g->place) - (f->place < g->place);
+}
+
+/** One below the other, in a panel of their own. */
+static void put_rows(struct chart *chart, const struct row *rows, size_t count)
+{
+    for (size_t r = 0; r < count; r++) {
+        double y = (double)(count - r);
+        bool ends = rows[r].ends[0] > 0 && isfinite(rows[r].ends[1]);
+        chart_name_row(chart, y, rows[r].label);
+        CURVE(.kind = ends ? CHART_DOTS : CHART_POINTS, .legend = "", .colour = rows[r].colour,
+              .marker = rows[r].marker, .notes = rows[r].notes | (ends ? NOTE(FIGURE_BAND) : 0));
+        chart_row(chart, rows[r].value, y, rows[r].ends[0], rows[r].ends[1]);
+    }
+    chart->panel_height = 42 + 26 * (double)count;
+}
+
+/** What is known of a surface, with the mark of how. */
+static struct row surface_row(const struct source *source, size_t surface)
+{
+    const struct asked *asked = &source->asked;
+    const struct known known = known_value(source->results, asked->quantity, surface);
+    const bool bound = known.kind != KNOWN_VALUE;
+    struct row row = {.value = known.kind == KNOWN_NOTHING ? NAN : asked_shown(asked, known.value),
+                      .ends = {NAN, NAN},
+                      .surface = surface,
+                      .marker = known.measured ? 5
+                                : bound        ? 6
+                                               : 7,
+                      .notes = known.measured ? NOTE(FIGURE_MEASURED)
+                               : bound        ? NOTE(FIGURE_BOUND)
+                                              : 0};
+    if (!bound)
+        asked_ends(row.ends, asked, (const double[]){known.low, known.high});
+    row.place = asked->more_is_better ? -row.value : row.value;
+    return row;
+}
+
+/** Every surface, the best on top; of many those at both ends. */
+static void make_surfaces_at_load(struct chart *chart, const struct source *source)
+{
+    const struct results *results = source->results;
+    struct row *rows = results->usable_count > 1 ? calloc(results->usable_count, sizeof *rows) : NULL;
+    size_t count = 0;
+    for (size_t k = 0; rows && k < results->usable_count; k++) {
+        rows[count] = surface_row(source, results->by_roughness[k]);
+        count += rows[count].value > 0 && isfinite(rows[count].value);
+    }
+    if (count > 1) {
+        qsort(rows, count, sizeof *rows, is_lower);
+        if (count > 2 * (size_t)ROWS_OF_AN_END) { /* a row without a mark stands for those between */
+            const size_t left_out = count - 2 * (size_t)ROWS_OF_AN_END;
+            rows[ROWS_OF_AN_END] = (struct row){.value = NAN, .label = SAY("others.count\ncount %zu", left_out)};
+            memmove(&rows[ROWS_OF_AN_END + 1], &rows[count - ROWS_OF_AN_END], ROWS_OF_AN_END * sizeof *rows);
+            count -= left_out - 1;
+        }
+        for (size_t r = 0; r < count; r++) {
+            size_t k = 0;
+            while (k < results->shown_count && results->shown[k] != rows[r].surface)
+                k++;
+            rows[r].colour = k < results->shown_count ? surface_look(source, k).colour : quiet;
+            if (!rows[r].label)
+                rows[r].label = short_name(source, results->surfaces[rows[r].surface].summary.scene->name);
+        }
+        chart_panel(chart, "", asked_label(source, "axis.asked_operating"), "", true, false);
+        put_rows(chart, rows, count);
+        for (size_t l = 0; l < results->scene->limit_count; l++)
+            if (results->scene->limits[l].quantity == source->asked.quantity) {
+                mark_asked(chart, source, &results->scene->limits[l], "limit", true);
+                chart->notes |= NOTE(FIGURE_LIMIT);
+            }
+    }
+    free(rows);
 }
 
 /** Every model and the direct solution, the nearest to it (else to the leading model) on top. */
@@ -357,32 +439,29 @@ static void make_models(struct chart *chart, const struct source *source)
         asked_shown(asked, comparison_middle(results, source->leading, results->baseline).value[asked->quantity]);
     chart_panel(chart, "", asked_label(source, "axis.asked_operating"), "", true, false);
     if (known)
-        rows[count++] = (struct row){direct, {direct / (1 + error), direct * (1 + error)}, SAY("direct"), ink, -1};
+        rows[count++] = (struct row){.value = direct,
+                                     .ends = {direct / (1 + error), direct * (1 + error)},
+                                     .label = SAY("direct"),
+                                     .colour = ink,
+                                     .place = -1,
+                                     .notes = NOTE(FIGURE_DIRECT)};
     for (size_t m = 0; m < model_count; m++) {
         const struct contact_point at = comparison_middle(results, m, results->baseline);
-        struct row row = {asked_shown(asked, at.value[asked->quantity]),
-                          {NAN, NAN},
-                          model_rows[m]->label,
-                          model_rows[m]->colour,
-                          NAN};
+        const bool valid = curve_summary_is_valid(surface_model(&source->baseline->summary, m), load);
+        struct row row = {.value = asked_shown(asked, at.value[asked->quantity]),
+                          .label = model_rows[m]->label,
+                          .colour = model_rows[m]->colour,
+                          .marker = valid ? 7 : 6,
+                          .notes = valid ? 0 : NOTE(FIGURE_OUTSIDE)};
         if (!plan_runs_model(results->plan, m) || !(row.value > 0) || !isfinite(row.value))
             continue;
         asked_interval(row.ends, asked, results, m, results->baseline);
-        row.distance = m == source->leading && !known ? -1 : fabs(log(row.value / (known ? direct : leading)));
+        row.place = m == source->leading && !known ? -1 : fabs(log(row.value / (known ? direct : leading)));
         rows[count++] = row;
     }
-    qsort(rows, count, sizeof *rows, nearer);
-    for (size_t r = 0; r < count; r++) {
-        double y = (double)(count - r);
-        bool ends = rows[r].ends[0] > 0 && isfinite(rows[r].ends[1]);
-        chart_name_row(chart, y, rows[r].label);
-        CURVE(.kind = CHART_DOTS, .legend = "", .colour = rows[r].colour,
-              .notes = rows[r].colour == ink ? NOTE(FIGURE_DIRECT) : 0);
-        chart_row(chart, rows[r].value, y, ends ? rows[r].ends[0] : rows[r].value,
-                  ends ? rows[r].ends[1] : rows[r].value);
-    }
+    qsort(rows, count, sizeof *rows, is_lower);
+    put_rows(chart, rows, count);
     mark_target(chart, source, true);
-    chart->panel_height = 42 + 26 * (double)count;
 }
 
 /* ---- The surfaces ---- */
@@ -511,8 +590,8 @@ static void begin_panel(struct chart *chart, const struct source *source, enum q
                 !(quantity_rows[y].is & QUANTITY_LINEAR) && quantity_unit(y).offset == 0);
 }
 
-/** A model's curve of a surface in a panel of one quantity over another: a statistical separation adjusted; dotted what
- * belongs beside it. */
+/** A model's curve of a surface in a panel of one quantity over another: a statistical separation adjusted, and thin as
+ * it is; dotted what belongs beside it. */
 static void put_quantity(struct chart *chart, const struct source *source, const enum quantity of[2], size_t surface,
                          size_t m, struct chart_curve look)
 {
@@ -522,10 +601,16 @@ static void put_quantity(struct chart *chart, const struct source *source, const
     if (!computes(source, m, of[0]))
         return;
     put_curve(chart, source, record, m, axis, look);
-    axis[1].quantity = quantity_rows[of[0]].dotted;
-    look.dash = 3;
     look.width = 1.4;
     look.legend = "";
+    if (axis[1].quantity != of[0]) {
+        axis[1].quantity = of[0];
+        look.dash = DASH_OTHER;
+        look.notes |= NOTE(FIGURE_UNADJUSTED);
+        put_curve(chart, source, record, m, axis, look);
+    }
+    axis[1].quantity = quantity_rows[of[0]].dotted;
+    look.dash = 3;
     if (axis[1].quantity != QUANTITY_LOAD && computes(source, m, axis[1].quantity))
         put_curve(chart, source, record, m, axis, look);
 }
@@ -704,7 +789,7 @@ static void make_direct(struct chart *chart, const struct source *source)
     }
 }
 
-/** 95 % error against time: every model, at each tolerance. */
+/** 95 % error, as the factor of the table beside it, against time: every model, at each tolerance. */
 static void make_accuracy(struct chart *chart, const struct source *source)
 {
     chart->panel_height = 180;
@@ -716,16 +801,18 @@ static void make_accuracy(struct chart *chart, const struct source *source)
         if (!accuracy.known)
             continue;
         struct chart_curve look = model_look(m);
+        const char *name = look.legend;
         look.kind = CHART_LINE;
         look.width = 1.4;
         look.marker = model_rows[m]->marker;
-        chart_curve(chart, &look);
-        for (size_t i = 0; i < BENCHMARK_STEPS; i++)
-            chart_row(chart, accuracy.seconds[i], accuracy.total_error[i], 0, 0);
-        look.kind = CHART_POINTS;
         look.legend = "";
         chart_curve(chart, &look);
-        chart_row(chart, accuracy.seconds[accuracy.used], model_factor(accuracy.sd) - 1, 0, 0);
+        for (size_t i = 0; i < BENCHMARK_STEPS; i++)
+            chart_row(chart, accuracy.seconds[i], 1 + accuracy.total_error[i], 0, 0);
+        look.kind = CHART_POINTS;
+        look.legend = name;
+        chart_curve(chart, &look);
+        chart_row(chart, accuracy.seconds[accuracy.used], model_factor(accuracy.sd), 0, 0);
     }
 }
 
@@ -738,7 +825,8 @@ static const struct figure_row {
     void (*make)(struct chart *chart, const struct source *source); /* nothing: it is not called for */
 } figure_rows[] = {
     {"answer", true, true, make_answer},
-    {"models", true, false, make_models},
+    {"surfaces-at-load", true, false, make_surfaces_at_load},
+    {"models", false, false, make_models},
     {"surfaces", false, false, make_surfaces},
     {"convergence", false, false, make_convergence},
     {"one-surface", false, false, make_one_surface},

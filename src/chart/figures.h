@@ -7,12 +7,12 @@
 #include "chart/gnuplot.h"
 #include "results/results.h"
 
-enum { FIGURES_MOST = 10 + 2 * QUANTITY_COUNT, FIGURE_FEW_POINTS = 200 };
+enum { FIGURES_MOST = 11 + 2 * QUANTITY_COUNT, FIGURE_FEW_POINTS = 200 };
 
 /** What a chart's caption has to say of what is drawn in it. */
 enum figure_note {
     FIGURE_BAND,            /* 95 % about a curve */
-    FIGURE_OUTSIDE,         /* dashed, outside a model's range of validity */
+    FIGURE_OUTSIDE,         /* dashed, or a hollow mark: outside a model's range of validity */
     FIGURE_ADJUSTED,        /* a gap that is adjusted */
     FIGURE_SCALE_DEPENDENT, /* dotted */
     FIGURE_LAST_SCALE,      /* dotted, of the finest scale alone */
@@ -23,6 +23,10 @@ enum figure_note {
     FIGURE_BINS,
     FIGURE_OPEN_BINS, /* which the law is not fitted to */
     FIGURE_KNEES,
+    FIGURE_MEASURED, /* square: what was measured */
+    FIGURE_LIMIT,
+    FIGURE_BOUND,      /* open: no answer, but what it is at most or at least */
+    FIGURE_UNADJUSTED, /* dot-dash: a gap that is not adjusted, beside the one that is */
     FIGURE_NOTES
 };
 extern const char *const figure_notes[]; /* as the view names them */
@@ -55,7 +59,8 @@ struct figures_task {
 MUST_CHECK enum status_code figures_draw(struct figures *out, const struct results *results,
                                          const struct figures_task *task, struct status *status);
 
-/** Is every chart drawn, once gnuplot has finished? Error: STATUS_CHART: one is not, though gnuplot did not complain. */
+/** Is every chart drawn, once gnuplot has finished? Error: STATUS_CHART: one is not, though gnuplot did not complain.
+ */
 MUST_CHECK enum status_code figures_check(const struct figures *figures, const char *directory, struct status *status);
 
 /** Takes those drawn with letters, once gnuplot has finished. Errors: STATUS_IO, STATUS_MEMORY. */

@@ -105,7 +105,7 @@ static void put_names(struct claims *c, const size_t *surfaces, size_t count)
     }
     if (count > NAMED)
         text_add(&text, " and %zu more", count - NAMED);
-    if (count == 1)
+    if (count == 1 && !c->surface)
         c->surface = json_shown(name_of(c, surfaces[0]));
     put_text(c, "names", text_string(&text));
     text_free(&text);
@@ -396,18 +396,34 @@ static bool any_measured(const struct claims *c)
     return false;
 }
 
+/** Is a surface better than the first of the ranking that is not in it, as nothing is known of its scatter? */
+static bool better_unranked(const struct claims *c)
+{
+    const struct comparison_ranking *ranking = &c->comparison->ranking;
+    const enum quantity quantity = ranking->criterion;
+    const double best = comparison_middle(c->results, c->leading, ranking->surface[0]).value[quantity];
+    for (size_t k = 0; k < c->results->usable_count; k++) {
+        const double value = comparison_middle(c->results, c->leading, usable(c, k)).value[quantity];
+        if ((quantity_rows[quantity].is & QUANTITY_RISES) ? value > best : value < best)
+            return true;
+    }
+    return false;
+}
+
 /** Where the surfaces are not told apart by what stands in the table, or are. */
 static bool rank(struct claims *c)
 {
     const struct comparison_ranking *ranking = &c->comparison->ranking;
-    size_t like = 0, next = 1;
-    if (c->results->usable_count < 2 || ranking->count < 2 || any_measured(c) || area_pressed(c))
+    size_t like = 0, next = 1, names[NAMED] = {0};
+    if (c->results->usable_count < 2 || ranking->count < 2 || any_measured(c) || area_pressed(c) || better_unranked(c))
         return false;
     for (size_t j = 1; j < ranking->count; j++) {
         const struct comparison_pair *pair = comparison_pair_of(ranking, 0, j);
-        if (!comparison_told_apart(pair))
-            next = like++ == 0 ? j : next;
-        else if (like == 0 && pair->p > comparison_pair_of(ranking, 0, next)->p)
+        if (!comparison_told_apart(pair)) {
+            next = like == 0 ? j : next;
+            if (like++ < NAMED)
+                names[like - 1] = ranking->surface[j];
+        } else if (like == 0 && pair->p > comparison_pair_of(ranking, 0, next)->p)
             next = j;
     }
     const double p = comparison_pair_of(ranking, 0, next)->p;
@@ -415,7 +431,7 @@ static bool rank(struct claims *c)
     put_surface(c, ranking->surface[0]);
     put_text(c, "next", name_of(c, ranking->surface[next]));
     put_count(c, "count", ranking->count);
-    put_count(c, "like", like);
+    put_names(c, names, like);
     put_number(c, "p", p, fmax(p, 1e-4), 2, "");
     c->key = like == 0 ? "best" : like + 1 < ranking->count ? "same-some" : ranking->count == 2 ? "same-two" : "same";
     return true;
@@ -835,6 +851,27 @@ static bool hardness(struct claims *c)
     return true;
 }
 
+/** Files that hold the heights of one before, which are no evidence of their own. */
+static bool duplicates(struct claims *c)
+{
+    size_t copies = 0;
+    for (size_t i = c->results->surface_count; i-- > 0;) {
+        const struct surface_summary *s = summary_of(c, i);
+        if (s->copies == 0)
+            continue;
+        copies += s->copies;
+        json_decref(c->surface);
+        c->surface = json_shown(s->scene->name);
+        text_free(&c->told);
+        put_text(c, "file", s->copy_file);
+        put_text(c, "of", s->copy_of);
+    }
+    if (copies > 1)
+        c->key = "duplicates-more";
+    put_count(c, "more", copies - (copies > 0));
+    return copies > 0;
+}
+
 /** Keys of the scene that a user's own part needs, where they are missing. */
 static bool needs(struct claims *c)
 {
@@ -906,6 +943,7 @@ static const struct claim_row {
     {"shares", CLAIM_CONTEXT, share, effects},
     {"chosen", CLAIM_CONTEXT, chosen, once},
     {"hardness", CLAIM_CONTEXT, hardness, once},
+    {"duplicates", CLAIM_CONTEXT, duplicates, once},
     {"needs", CLAIM_CONTEXT, needs, once},
 };
 

@@ -76,9 +76,9 @@ struct model_row {
     bool uses_strip;                             /* works on model_task.strip, and model_task.bearing where plastic */
     bool uses_map;                               /* is model_task.transfer: of the whole surface, not of its scans */
     unsigned quantities;                         /* QUANTITY_BITs it computes */
-    unsigned may_be_empty;         /* those of them that it leaves empty (NaN) where it should not be trusted */
-    double largest_area;           /* A/A_n up to which it is valid; 0: any */
-    bool ends;                     /* it has no numbers beyond that */
+    unsigned may_be_empty; /* those of them that it leaves empty (NaN) where it should not be trusted */
+    double largest_area;   /* A/A_n up to which it is valid; 0: any */
+    bool ends;             /* it has no numbers beyond that */
     double stiffness_step; /* in ln P to either side, over which model_run() takes the slope of its separation; 0: it
                               computes its stiffness itself, or none */
     bool textbook;         /* handbooks print it: the first page sets it beside the leading one, where it is valid. It
@@ -88,6 +88,7 @@ struct model_row {
     bool in_findings;      /* the findings of chapter 6 are checked on it */
     const char *colour;    /* of its line, "#rrggbb", for a light and a dark page */
     int marker;            /* gnuplot's point type: open (even) elastic, filled (odd) plastic */
+    const char *does;      /* in a clause that "which" begins */
     const char *equations; /* of the thesis, as in docs/equations.md */
     const char *source;
     const char *assumes;

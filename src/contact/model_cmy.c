@@ -76,6 +76,7 @@ const struct model_row model_cmy = {
     .largest_area = CMY_VALID_AREA,
     .colour = "#8C6D31",
     .marker = 15,
+    .does = "cuts the heights off at a plane and lets every spot bear the hardness",
     .equations = "truncation",
     .source = "Cooper, Mikic and Yovanovich, Int. J. Heat Mass Transf. 12 (1969) 279",
     .assumes = "isotropic Gaussian surface, of which all that is truncated touches; every spot bears the hardness (the "

@@ -35,6 +35,7 @@ const struct model_row model_direct = {
     .ends = true,
     .colour = "#E07B39",
     .marker = 14,
+    .does = "solves the contact of the map itself, without yield",
     .equations = "direct transfer",
     .source = "Polonsky and Keer, Wear 231 (1999) 206; resistance: the same kernel on the points in contact; between "
               "loads by corrected-persson of the same spectrum at equal area",
@@ -59,6 +60,7 @@ const struct model_row model_direct_plastic = {
     .ends = true,
     .colour = "#A94A0E",
     .marker = 15,
+    .does = "solves the contact of the map itself, with no pressure above the hardness",
     .equations = "direct transfer",
     .source = "as direct; no pressure above the hardness: Almqvist, Sahlin, Larsson and Glavatskih, Tribol. Int. 40 "
               "(2007) 574",

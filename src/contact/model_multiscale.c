@@ -61,6 +61,7 @@ const struct model_row model_multiscale_elastic = {
     .in_findings = true,
     .colour = "#3F9BE0",
     .marker = 6,
+    .does = "stacks all waves of the spectrum as sinusoids, the short on the long, without yield",
     .equations = "4.1-4.11, 4.40-4.42",
     .source = "Jackson and Streator, Wear 261 (2006) 1337; Johnson, Greenwood and Higginson, Int. "
               "J. Mech. Sci. 27 (1985) 383; "
@@ -87,6 +88,7 @@ const struct model_row model_multiscale_plastic = {
     .in_findings = true,
     .colour = "#1560B4",
     .marker = 7,
+    .does = "stacks all waves of the spectrum as sinusoids, the short on the long, and lets them yield",
     .equations = "4.12-4.18, 4.40-4.42",
     .source =
         "Krithivasan and Jackson, Tribol. Lett. 27 (2007) 31; Jackson, Krithivasan and Wilson, Proc. IMechE J 222 "

@@ -112,6 +112,7 @@ const struct model_row model_corrected_persson = {
     .ends = true,
     .colour = "#B08BDD",
     .marker = 12,
+    .does = "takes the spectrum with Gaussian heights, by Persson's theory corrected, without yield",
     .equations = "corrected Persson",
     .source = "Persson, J. Chem. Phys. 115 (2001) 3840, and Phys. Rev. Lett. 99 (2007) 125502, corrected at equal area "
               "by direct solutions; resistance and separation: Barber, Proc. R. Soc. A 459 (2003) 53",
@@ -134,6 +135,8 @@ const struct model_row model_corrected_persson_plastic = {
     .ends = true,
     .colour = "#6B3FA0",
     .marker = 13,
+    .does = "takes the spectrum with Gaussian heights, by Persson's theory corrected, and lets no spot bear more than "
+            "the hardness",
     .equations = "hardness",
     .source = "as corrected-persson; under load as elastic contact and bearing curve (Abbott and Firestone 1933) in "
               "parallel, exponents from direct solutions with a hardness",
@@ -155,6 +158,7 @@ const struct model_row model_strip = {
     .ends = true,
     .colour = "#35A27B",
     .marker = 8,
+    .does = "solves the scans as strips and corrects Persson's theory by them, without yield",
     .equations = "strip transfer",
     .source = "the scans solved as strips (Polonsky and Keer, Wear 231 (1999) 206) over Gaussian strips of the same "
               "spectrum, times corrected-persson",
@@ -180,6 +184,8 @@ const struct model_row model_strip_plastic = {
     .ends = true,
     .colour = "#137A56",
     .marker = 9,
+    .does =
+        "solves the scans as strips, corrects Persson's theory by them, and lets no spot bear more than the hardness",
     .equations = "hardness",
     .source = "as strip; under load as elastic contact and the scans' bearing curve (Abbott and Firestone 1933) in "
               "parallel, exponents from direct solutions with a hardness",

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "contact/quadrature.h"
 
-#include "contact/statistical.h"
+#include "base/status.h"
 #include <gsl/gsl_integration.h>
 #include <math.h>
 #include <stdlib.h>
@@ -53,12 +53,11 @@ static size_t borders(double *border, const struct asperity *asperity, double si
     return count;
 }
 
-enum status_code quadrature_make(struct quadrature *out, const struct statistical *model, double lowest_d,
+enum status_code quadrature_make(struct quadrature *out, const struct quadrature_law *law, double lowest_d,
                                  double tolerance, struct status *status)
 {
-    const struct asperity *asperity = &model->asperity;
-    double sigma_s_m = model->surface.sigma_s_m;
-    double knudsen_length_m = statistical_is_scale_dependent(model) ? model->spot.knudsen_length_m : 0;
+    const struct asperity *asperity = law->asperity;
+    const double sigma_s_m = law->sigma_s_m, knudsen_length_m = law->knudsen_length_m;
     double border[PANELS_MOST];
     size_t order = panel_order(tolerance);
     *out = (struct quadrature){.log_cut = 8 - log(tolerance)};
@@ -88,7 +87,7 @@ enum status_code quadrature_make(struct quadrature *out, const struct statistica
             weight *= 2 * t * inverse_sqrt_2pi; /* du = 2 t dt */
             struct asperity_contact contact;
             out->node[k] = t * t;
-            asperity_models[model->law].press(&contact, asperity, sigma_s_m * t * t);
+            asperity_models[law->law].press(&contact, asperity, sigma_s_m * t * t);
             out->area[k] = weight * contact.area_m2;
             out->load[k] = weight * contact.load_N;
             out->radius[k] = weight * contact.radius_m;

@@ -4,10 +4,16 @@
 #ifndef CONTACT_QUADRATURE_H
 #define CONTACT_QUADRATURE_H
 
-#include "base/status.h"
+#include "contact/asperity.h"
 #include <stddef.h>
 
-struct statistical;
+/** What is integrated: one asperity's law over heights. */
+struct quadrature_law {
+    const struct asperity *asperity;
+    enum asperity_model_id law;
+    double sigma_s_m;
+    double knudsen_length_m; /* 0: scale dependence is not asked for */
+};
 
 /** Nodes in u = omega/sigma_s, ascending, each with quadrature weight times law, the 1/sqrt(2 pi) of the Gaussian
  * included. Owned: quadrature_free(). */
@@ -35,7 +41,7 @@ struct quadrature_sums {
  * changes (1.9 omega_c, a/R = 0.41, a/R = 1), in t = sqrt(u) so that the square root at u = 0 does no harm, wide enough
  * for d >= lowest_d (in sigma_s) and fine enough for `tolerance` (relative). One law evaluation a node. Errors:
  * STATUS_MEMORY; STATUS_MODEL when lowest_d is below about -2000. */
-MUST_CHECK enum status_code quadrature_make(struct quadrature *out, const struct statistical *model, double lowest_d,
+MUST_CHECK enum status_code quadrature_make(struct quadrature *out, const struct quadrature_law *law, double lowest_d,
                                             double tolerance, struct status *status);
 void quadrature_free(struct quadrature *panels);
 

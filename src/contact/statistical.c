@@ -5,7 +5,8 @@
 
 #include <math.h>
 
-bool statistical_is_scale_dependent(const struct statistical *model)
+/** Is (4.51) wanted? */
+static bool is_scale_dependent(const struct statistical *model)
 {
     return model->wanted & QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT);
 }
@@ -14,7 +15,7 @@ bool statistical_is_scale_dependent(const struct statistical *model)
  * scale-dependent one, which alone needs its panels, only when it is wanted. */
 static void integrate(struct quadrature_sums *sums, const struct statistical *model, double d)
 {
-    bool scale_dependence = statistical_is_scale_dependent(model);
+    bool scale_dependence = is_scale_dependent(model);
     if (model->law != ASPERITY_HERTZ || scale_dependence)
         quadrature_sum(sums, &model->panels, d);
     if (model->law != ASPERITY_HERTZ)
@@ -93,10 +94,13 @@ enum status_code statistical_make(struct statistical *out, const struct model_ta
         .wanted = task->wanted,
     };
     struct statistical elastic = *out;
+    const bool scale_dependent = is_scale_dependent(out);
+    const struct quadrature_law laid = {&out->asperity, law, surface->sigma_s_m,
+                                        scale_dependent ? out->spot.knudsen_length_m : 0};
     elastic.law = ASPERITY_HERTZ;
-    out->full_d = solve(&elastic, true, 0, 0);                            /* below it no law has anything to say */
-    if ((law != ASPERITY_HERTZ || statistical_is_scale_dependent(out)) && /* else closed forms serve */
-        quadrature_make(&out->panels, out, fmin(lowest_d, out->full_d), task->tolerance, status) != STATUS_OK)
+    out->full_d = solve(&elastic, true, 0, 0);        /* below it no law has anything to say */
+    if ((law != ASPERITY_HERTZ || scale_dependent) && /* else closed forms serve */
+        quadrature_make(&out->panels, &laid, fmin(lowest_d, out->full_d), task->tolerance, status) != STATUS_OK)
         return status->code;
     if (law != ASPERITY_HERTZ)
         out->full_d = solve(out, true, 0, out->full_d);

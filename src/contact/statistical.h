@@ -28,8 +28,6 @@ struct statistical {
  * below about -2000 (no surface of roughness_asperities() is). */
 MUST_CHECK enum status_code statistical_make(struct statistical *out, const struct model_task *task,
                                              enum asperity_model_id law, double lowest_d, struct status *status);
-/** Is (4.51) wanted? */
-bool statistical_is_scale_dependent(const struct statistical *model);
 void statistical_free(struct statistical *model);
 
 /** Contact with the flat at d = `d` sigma_s: A (4.25), P (4.26), delta (4.29), delta_ADJ (4.54), and the resistances

@@ -330,6 +330,8 @@ void joint_bounds(double out[QUANTITY_COUNT][2], const struct contact_point *poi
 {
     const double share = material_pair_pressure(task->pair, point->value[QUANTITY_LOAD]) / task->pair->hardness_Pa;
     memset(out, 0, QUANTITY_COUNT * sizeof *out);
+    if (joint_is_held(point, task)) /* no metal touches */
+        return;
     out[QUANTITY_AREA][1] = 1;
     if (!row->plastic || !(share > 0 && share < 1))
         return;

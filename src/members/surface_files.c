@@ -46,8 +46,10 @@ static enum status_code add_scan(const struct surface_scans *task, const struct 
             summary->copy_file = bytes->path;
             summary->copy_of = of;
         }
-    } else if (rc == STATUS_OK && (rc = surface_rows_add(task, &scan, bytes->path, status)) != STATUS_OK)
-        task->copies->count--; /* what cannot be used is no original: its copies are refused as it is */
+    } else if (rc == STATUS_OK) {
+        rc = surface_rows_add(task, &scan, bytes->path, status);
+        task->copies->count -= rc != STATUS_OK; /* a copy of one that is refused is refused, too */
+    }
     if (rc == STATUS_OK && !of) {
         snprintf(summary->format, sizeof summary->format, "%s", scan.format);
         snprintf(summary->units, sizeof summary->units, "x %s, z %s", scan.x_unit, scan.z_unit);

@@ -4,6 +4,7 @@
 #include "base/mustache.h"
 #include "output/json.h"
 
+#include <ctype.h>
 #include <limits.h>
 #include <md4c-html.h>
 #include <openssl/evp.h>
@@ -20,6 +21,7 @@ struct page {
     unsigned parts;       /* those of the first level: below the second, sections are folded */
     bool in_folded;       /* inside the <details> of a section */
     bool in_entry;        /* inside a heading that stands in the contents */
+    size_t entry;         /* where its words begin there */
     bool paragraph_waits; /* its words are still to come */
     bool cell_waits;      /* a cell of a table, the same */
     bool in_verdict;      /* inside the <span> of a cell that judges */
@@ -71,10 +73,26 @@ static void start_heading(struct page *page, unsigned level)
              page->headings);
     if (page->in_entry)
         text_add(&page->contents, "<li><a href=\"#section-%u\">", page->headings);
+    page->entry = page->contents.length;
+}
+
+/* The heading's words as a Markdown link names them: "#all-surfaces". */
+static void add_anchor(struct page *page)
+{
+    const char *at = text_string(&page->contents) + page->entry;
+    text_add(&page->body, "<a id=\"");
+    for (bool tag = false; *at; at++) {
+        tag = *at == '<' || (tag && at[-1] != '>');
+        if (!tag && (isalnum((unsigned char)*at) || *at == ' '))
+            text_add(&page->body, "%c", *at == ' ' ? '-' : tolower((unsigned char)*at));
+    }
+    text_add(&page->body, "\"></a>");
 }
 
 static void end_heading(struct page *page, unsigned level)
 {
+    if (page->in_entry)
+        add_anchor(page);
     text_add(&page->body, "</h%u>%s", level, page->in_folded && level == 2 ? "</summary>" : "");
     if (page->in_entry)
         text_add(&page->contents, "</a></li>\n");

@@ -48,7 +48,7 @@ static void put_models(json_t *out, const struct view_source *source)
         view_number(out, "few_waves", model_factor(few_waves), 2, "");
     view_separate(best);
     view_flag(out, "digits_are_free", finest - coarsest < 0.1 * solved);
-    put_seconds(out, "digits", finest - coarsest);
+    put_seconds(out, "digits", fmax(finest - coarsest, 0)); /* two timings: the finer may happen to be faster */
 }
 
 /** By how much an effect that ran changes what is asked. */

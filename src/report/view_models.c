@@ -136,8 +136,12 @@ static void put_all_surfaces(json_t *out, const struct view_source *source)
         return;
     json_t *item = view_part(out, "all_surfaces"), *heads = view_list(item, "heads"), *rows = view_list(item, "rows");
     for (size_t m = 0; m < model_count; m++)
-        if (adjusts(source, m))
-            view_text(view_item(heads), "label", model_rows[m]->label);
+        if (adjusts(source, m)) {
+            json_t *head = view_item(heads);
+            view_text(head, "label", model_rows[m]->label);
+            if (model_rows[m]->counterpart)
+                view_text(head, "beside", model_rows[m]->counterpart->label);
+        }
     for (size_t i = 0; i < results->surface_count && betas; i++) {
         if (!results->surfaces[i].summary.usable || json_array_size(rows) >= VIEW_ROWS)
             continue;

@@ -12,7 +12,9 @@ enum { DIGITS = 2, CLAIMS_MOST = 8 };
 static void put_known(json_t *out, const char *name, const struct known *known, double shown, const double ends[2])
 {
     static const char *const signs[] = {[KNOWN_AT_MOST] = "≤\u00a0", [KNOWN_MORE_THAN] = ">\u00a0"};
-    const bool has = known->kind == KNOWN_VALUE && !known->measured && isfinite(ends[0]) && isfinite(ends[1]);
+    const bool modelled = known->kind == KNOWN_VALUE && !known->measured,
+               one = modelled && (isfinite(ends[0]) || isfinite(ends[1])),
+               has = modelled && isfinite(ends[0]) && isfinite(ends[1]);
     struct text text = {0}, interval = {0};
     if (known->kind == KNOWN_NOTHING)
         text_add(&text, "–");
@@ -20,14 +22,14 @@ static void put_known(json_t *out, const char *name, const struct known *known, 
         text_add(&text, "%s", known->kind == KNOWN_VALUE ? "" : signs[known->kind]);
         number_format(&text, shown, has && ends[1] > 1.44 * ends[0] ? DIGITS : DIGITS + 1);
     }
-    if (has) {
-        number_format(&interval, ends[0], DIGITS);
-        text_add(&interval, "–");
-        number_format(&interval, ends[1], DIGITS);
+    for (int end = 0; end < 2 && one; end++) {
+        text_add(&interval, has ? end > 0 ? "–" : "" : !isfinite(ends[end]) ? "" : end > 0 ? "≤\u00a0" : "≥\u00a0");
+        if (isfinite(ends[end]))
+            number_format(&interval, ends[end], DIGITS);
     }
     json_t *cell = view_part(out, name);
     view_text(cell, "value", text_string(&text));
-    if (has)
+    if (one)
         view_text(cell, "interval", text_string(&interval));
     view_flag(cell, "measured", known->measured && known->kind != KNOWN_NOTHING);
     text_free(&text);
@@ -104,6 +106,7 @@ void view_first_page(json_t *out, const struct view_source *source)
     json_array_foreach(source->claims, i, claim) json_array_append(i < CLAIMS_MOST ? first : more, claim);
     view_flag(out, "several", results->usable_count > 1);
     view_text(out, "leading", model_rows[source->leading]->label);
+    view_text(out, "leading_does", model_rows[source->leading]->does);
     view_text(out, "baseline", view_name(source, results->baseline));
     view_load(out, "operating_load", source, results->baseline, results_operating_load(results, results->baseline));
     json_t *item = view_part(out, "asked");

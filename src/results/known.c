@@ -112,6 +112,6 @@ struct known known_load(const struct results *results, const struct scene_asked 
             out.value = load;
         }
     }
-    out.short_loads = !carried && answer->wider && isnan(answer->low) && isnan(answer->high);
+    out.short_loads = !carried && answer->wider;
     return out;
 }

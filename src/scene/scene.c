@@ -5,7 +5,6 @@
 #include "scene/scene_source.h"
 
 #include <errno.h>
-#include <gsl/gsl_sort_double.h>
 #include <libgen.h>
 #include <math.h>
 #include <stdio.h>
@@ -64,126 +63,95 @@ static enum status_code load_text(struct text *bytes, struct scene *scene, struc
 }
 
 /* Effect `effect`, asked for in the scene or else by the command line, lacks `what`. */
-static bool fail_effect(struct scene_source *source, const struct effect_row *effect, const char *what)
+static void fail_effect(struct scene_source *source, const struct effect_row *effect, const char *what)
 {
     if (!source->effects_overridden)
-        return scene_source_fail(source, scene_keys_line(source, "effects"),
-                                 "effect '%s' needs %s or leave the effect out", effect->name, what);
-    (void)status_fail(source->status, STATUS_SCENE, "--effects: '%s' needs %s in scene.yaml, or leave the effect out",
-                      effect->name, what);
-    return false;
+        FAIL_KEY(source, "effects", "effect '%s' needs %s or leave the effect out", effect->name, what);
+    else
+        (void)status_fail(source->status, STATUS_SCENE,
+                          "--effects: '%s' needs %s in scene.yaml, or leave the effect out", effect->name, what);
 }
 
-/* Effects run that a key calls for, unless the command line lists others; none runs without its key. */
-static bool call_effects(struct scene *scene, struct scene_source *source)
+/* ---- What a scene says beyond its keys, in steps, each with what those before it left; none runs once one failed */
+
+static void complete_keys(struct scene *scene, struct scene_source *source)
 {
-    for (int i = 0; i < EFFECT_COUNT; i++) {
-        const struct effect_row *row = &effect_rows[i];
-        unsigned bit = EFFECT_BIT(i);
-        char what[80];
-        bool given = row->key && scene_keys_line(source, row->key) > 0;
-        snprintf(what, sizeof what, "'%s'; add that key", row->key ? row->key : "");
-        if (row->key && !given && (scene->effects & bit))
-            return fail_effect(source, row, what);
-        if (!given || row->only_listed ||
-            (source->effects_overridden && !scene->effects_auto && !(scene->effects & bit)))
-            continue;
-        scene->called |= bit;
-        if (!scene->effects_auto)
-            scene->effects = scene_keys_with_needed(scene->effects | bit);
-    }
-    return !(scene->called & EFFECT_BIT(EFFECT_HEATING)) || !isnan(scene->nominal_area_m2) ||
-           scene_source_fail(source, scene_keys_line(source, "current"),
-                             "'current' flows through which area? add 'nominal_area'");
+    (void)source;
+    if (!scene->fit_band_given) { /* what the filters leave */
+        scene->fit_band_m[0] = scene->lambda_s_m;
+        scene->fit_band_m[1] = scene->lambda_c_m > 0 ? scene->lambda_c_m : INFINITY;
+    } else
+        scene->fit_band_given = scene->fit_band_m[0] > 0 || isfinite(scene->fit_band_m[1]);
 }
 
 /* What the command line says instead of the scene; units once the surfaces are known. */
-static bool override_values(struct scene *scene, struct scene_source *source, const struct scene_overrides *overrides)
+static void override_values(struct scene *scene, struct scene_source *source)
 {
-    const struct {
-        const char *key, *text;
-    } all[] = {{"material", overrides->material},
-               {"effects", overrides->effects},
-               {"tolerance", overrides->tolerance},
-               {"accuracy", overrides->accuracy},
-               {"export", overrides->exports}};
+    const struct scene_overrides *overrides = source->overrides;
+    const char *const all[][2] = {{"material", overrides->material},
+                                  {"effects", overrides->effects},
+                                  {"tolerance", overrides->tolerance},
+                                  {"accuracy", overrides->accuracy},
+                                  {"export", overrides->exports}};
     for (size_t i = 0; i < SCENE_COUNT(all); i++)
-        for (size_t k = 0; k < scene_key_count && all[i].text; k++)
-            if (strcmp(scene_keys[k].name, all[i].key) == 0 &&
-                !scene_source_option(source, &scene_keys[k], all[i].key, all[i].text, scene))
-                return false;
-    if (overrides->budget &&
-        !scene_source_option(source, scene_budget_key, "budget", overrides->budget, &scene->direct))
-        return false;
+        for (size_t k = 0; k < scene_key_count && all[i][1]; k++)
+            if (strcmp(scene_keys[k].name, all[i][0]) == 0)
+                scene_source_option(source, &scene_keys[k], all[i][0], all[i][1], scene);
+    if (overrides->budget)
+        scene_source_option(source, scene_budget_key, "budget", overrides->budget, &scene->direct);
     unsigned direct = EFFECT_BIT(EFFECT_DIRECT);
     if (source->effects_overridden && !scene->effects_auto) /* as they are listed there */
         scene->direct.called = scene->effects & direct;
     scene->direct.called = scene->direct.called || overrides->direct || overrides->budget || (scene->effects & direct);
     scene->effects |= scene->direct.called ? direct : 0;
-    return scene_shape_size(scene, source) && call_effects(scene, source);
 }
 
-static bool override_units(struct scene *scene, struct scene_source *source, const struct scene_overrides *overrides)
+/* Effects run that a key calls for, unless the command line lists others; none runs without its key. */
+static void call_effects(struct scene *scene, struct scene_source *source)
 {
-    const struct scene_key key = {"unit", NULL, SCENE_SHORT_TEXT(0, sizeof scene->surfaces->x_unit)};
-    for (size_t i = 0; i <= scene->surface_count; i++) {
-        struct scene_surface *surface = i ? &scene->surfaces[i - 1] : &scene->counterface_surface;
-        if ((overrides->x_unit && !scene_source_option(source, &key, "x-unit", overrides->x_unit, surface->x_unit)) ||
-            (overrides->z_unit && !scene_source_option(source, &key, "z-unit", overrides->z_unit, surface->z_unit)))
-            return false;
+    for (int i = 0; i < EFFECT_COUNT; i++) {
+        const struct effect_row *row = &effect_rows[i];
+        const unsigned bit = EFFECT_BIT(i);
+        const bool given = row->key && scene_keys_line(source, row->key) > 0,
+                   left_out = source->effects_overridden && !scene->effects_auto && !(scene->effects & bit);
+        char what[80];
+        snprintf(what, sizeof what, "'%s'; add that key", row->key ? row->key : "");
+        if (row->key && !given && (scene->effects & bit))
+            fail_effect(source, row, what);
+        if (!given || row->only_listed || left_out)
+            continue;
+        scene->called |= bit;
+        if (!scene->effects_auto)
+            scene->effects = scene_keys_with_needed(scene->effects | bit);
     }
-    return true;
 }
 
-/* Fails when the bodies of surface `owner` (NULL: the scene) lack what an effect needs that is asked for by name. */
-static bool check_effects(const struct scene *scene, struct scene_source *source, const struct scene_bodies *bodies,
-                          const char *owner)
+static void list_surfaces(struct scene *scene, struct scene_source *source)
 {
-    struct scene_lack_words lack;
-    for (int i = 0; i < EFFECT_COUNT; i++)
-        if ((scene->effects & EFFECT_BIT(i)) && scene_lack_words(&lack, bodies, owner, &effect_rows[i]))
-            return fail_effect(source, &effect_rows[i], lack.text);
-    return true;
-}
-
-/* What some keys say beyond themselves. */
-static bool complete_keys(struct scene *scene, struct scene_source *source)
-{
-    bool band = scene_keys_line(source, "fit_band") > 0;
-    scene->lay_given = scene_keys_line(source, "lay") > 0;
-    scene->level_given = scene_keys_line(source, "level") > 0;
-    scene->fit_band_given = band && (scene->fit_band_m[0] > 0 || isfinite(scene->fit_band_m[1]));
-    if (!band) /* what the filters leave */
-        scene->fit_band_m[0] = scene->lambda_s_m;
-    if (!band && scene->lambda_c_m > 0)
-        scene->fit_band_m[1] = scene->lambda_c_m;
-    return !(scene->lambda_s_m > 0 && scene->lambda_c_m > 0) || scene->lambda_s_m < scene->lambda_c_m ||
-           scene_source_fail(source, scene_keys_line(source, "lambda_c"),
-                             "'lambda_c' is %g m, not above 'lambda_s', %g m; nothing would be left between them",
-                             scene->lambda_c_m, scene->lambda_s_m);
+    if (scene->surface_count == 0)
+        (void)scene_files_list(scene, source->status); /* which tells of its failure there */
 }
 
 /* One body's mean free path, unless it has one. */
-static bool give_mean_free_path(struct material *material, const struct scene *scene, struct scene_source *source)
+static void give_mean_free_path(struct material *material, const struct scene *scene, struct scene_source *source)
 {
     if (scene->mean_free_path == SCENE_MEAN_FREE_PATH_THESIS || !isnan(material->mean_free_path_m) ||
         isnan(material->youngs_modulus_Pa))
-        return true;
-    if (material->electrons_per_m3 > 0 && material->resistivity_ohm_m > 0) {
+        return;
+    if (material->electrons_per_m3 > 0 && material->resistivity_ohm_m > 0)
         material->mean_free_path_m = electron_mean_free_path(material->electrons_per_m3, material->resistivity_ohm_m);
-        return true;
-    }
-    return scene_source_fail(
-        source, scene_keys_line(source, "mean_free_path"),
-        "'mean_free_path' is 'electron', which is not known of '%s'; give the material's own, such as 40 nm",
-        scene_words_show(material->name).text);
+    else
+        FAIL_KEY(source, "mean_free_path",
+                 "'mean_free_path' is 'electron', which is not known of '%s'; give the material's own, such as 40 nm",
+                 scene_words_show(material->name).text);
 }
 
 /* Completes bodies with the scene's, and checks them. `owner`: the surface's name, NULL: the scene's own. */
-static bool complete_bodies(struct scene_bodies *bodies, const struct scene *scene, struct scene_source *source,
+static void complete_bodies(struct scene_bodies *bodies, const struct scene *scene, struct scene_source *source,
                             const char *owner)
 {
     const struct scene_bodies *whole = &scene->bodies;
+    struct scene_lack_words lack;
     if (!bodies->material_given)
         bodies->material = whole->material;
     if (!bodies->counterface_given) {
@@ -199,173 +167,168 @@ static bool complete_bodies(struct scene_bodies *bodies, const struct scene *sce
         bodies->counterface = bodies->material;
     bool elastic = bodies->counterface_kind == MATERIAL_COUNTERFACE_ELASTIC;
     if (isnan(bodies->material.youngs_modulus_Pa) && elastic && !bodies->counterface_same)
-        return scene_source_fail(source, bodies->counterface_line ? bodies->counterface_line : whole->counterface_line,
-                                 "'counterface' is '%s', but no material is given to press it on; add 'material'",
-                                 scene_words_show(bodies->counterface.name).text);
-    return check_effects(scene, source, bodies, owner) && give_mean_free_path(&bodies->material, scene, source) &&
-           (!elastic || give_mean_free_path(&bodies->counterface, scene, source));
+        scene_source_fail(source, bodies->counterface_line ? bodies->counterface_line : whole->counterface_line,
+                          "'counterface' is '%s', but no material is given to press it on; add 'material'",
+                          scene_words_show(bodies->counterface.name).text);
+    for (int i = 0; i < EFFECT_COUNT; i++) /* asked for by name */
+        if ((scene->effects & EFFECT_BIT(i)) && scene_lack_words(&lack, bodies, owner, &effect_rows[i]))
+            fail_effect(source, &effect_rows[i], lack.text);
+    give_mean_free_path(&bodies->material, scene, source);
+    if (elastic)
+        give_mean_free_path(&bodies->counterface, scene, source);
 }
 
 /* The bodies of every surface; the scene's own count where a surface uses them. */
-static bool complete_all_bodies(struct scene *scene, struct scene_source *source)
+static void complete_all_bodies(struct scene *scene, struct scene_source *source)
 {
-    bool used = scene->surface_count == 0, known = false;
+    bool used = scene->surface_count == 0;
     for (size_t i = 0; i < scene->surface_count; i++)
         used = used || !scene->surfaces[i].bodies.material_given;
-    if (used && !complete_bodies(&scene->bodies, scene, source, NULL))
-        return false;
-    for (size_t i = 0; i < scene->surface_count; i++) {
-        struct scene_surface *surface = &scene->surfaces[i];
-        if (!complete_bodies(&surface->bodies, scene, source, surface->name))
-            return false;
-        known = known || !isnan(surface->bodies.material.youngs_modulus_Pa);
+    if (used)
+        complete_bodies(&scene->bodies, scene, source, NULL);
+    for (size_t i = 0; i < scene->surface_count; i++)
+        complete_bodies(&scene->surfaces[i].bodies, scene, source, scene->surfaces[i].name);
+}
+
+/* The rules of the scene's own keys; material and area may be known from elsewhere. */
+static void check_rules(struct scene *scene, struct scene_source *source)
+{
+    size_t lines[SCENE_KEYS_MOST];
+    bool known = !isnan(scene->bodies.material.youngs_modulus_Pa);
+    for (size_t i = 0; i < scene->surface_count; i++)
+        known = known || !isnan(scene->surfaces[i].bodies.material.youngs_modulus_Pa);
+    for (size_t k = 0; k < scene_key_count; k++) {
+        lines[k] = source->lines[k];
+        if (strcmp(scene_keys[k].name, "material") == 0)
+            lines[k] = known;
+        if (strcmp(scene_keys[k].name, "nominal_area") == 0)
+            lines[k] = scene->nominal_area_m2 > 0;
     }
-    size_t line = scene_keys_line(source, "hardness");
-    return line == 0 || known || !isnan(scene->bodies.material.youngs_modulus_Pa) ||
-           scene_source_fail(source, line, "'hardness' stands without a material; add 'material'");
+    (void)scene_source_rules(source, &scene_keys_whole, lines, 0, scene);
 }
 
 /* Can loads of that kind be turned into P/(A_n E') on every surface? */
-static bool check_load_kind(const struct scene *scene, struct scene_source *source, const char *key,
-                            enum unit_quantity kind, size_t line)
+static void check_load_kind(const struct scene *scene, struct scene_source *source, const char *key, const char *in,
+                            enum unit_quantity kind)
 {
     bool known = true;
     for (size_t i = 0; i == 0 || i < scene->surface_count; i++)
         known = known && !isnan(scene_bodies_of(scene, i)->material.youngs_modulus_Pa);
     if (kind == UNIT_FORCE && isnan(scene->nominal_area_m2))
-        return scene_source_fail(source, line, "'%s' is a force, but on which area? add 'nominal_area'", key);
-    return kind == UNIT_NUMBER || known ||
-           scene_source_fail(source, line,
-                             "'%s' is %s, which without a material is no P/(A_n E'); add 'material', or give "
-                             "P/(A_n E')",
-                             key, unit_quantity_name(kind));
+        FAIL_KEY(source, in, "'%s' is a force, but on which area? add 'nominal_area'", key);
+    if (kind != UNIT_NUMBER && !known)
+        FAIL_KEY(source, in,
+                 "'%s' is %s, which without a material is no P/(A_n E'); add 'material', or give P/(A_n E')", key,
+                 unit_quantity_name(kind));
 }
 
 /* Is E' the same for all surfaces? */
 static bool has_one_modulus(const struct scene *scene)
 {
+    bool one = true;
     for (size_t i = 1; i < scene->surface_count; i++)
-        if (scene_pair(&scene->surfaces[i].bodies).effective_modulus_Pa !=
-            scene_pair(&scene->surfaces[0].bodies).effective_modulus_Pa)
-            return false;
-    return true;
+        one = one && scene_pair(&scene->surfaces[i].bodies).effective_modulus_Pa ==
+                         scene_pair(&scene->surfaces[0].bodies).effective_modulus_Pa;
+    return one;
 }
 
 /* P/(A_n E'), to which loads go by themselves. */
 static const double least_by_itself = 1e-12;
 
-/* A load in the kind of the others; 0: none. */
-static double one_load(const struct scene_one_load *one, const struct scene *scene, const struct material_pair *pair)
+/* The loads reach a decade beyond the operating one where the scene leaves them to the program, and tables and charts
+ * then stand in its unit. */
+static void check_loads(struct scene *scene, struct scene_source *source)
 {
-    if (one->load == 0 || one->kind == scene->load.kind)
-        return one->load;
-    return one->load / scene_load_divisor(scene, one->kind, pair) * scene_load_divisor(scene, scene->load.kind, pair);
-}
-
-/* The loads reach a decade beyond it where the scene leaves them to the program. */
-static bool check_one_load(const struct scene_one_load *one, const char *key, struct scene *scene,
-                           struct scene_source *source)
-{
-    size_t line = scene_keys_line(source, key);
+    static const char key[] = "operating_load";
+    const struct scene_one_load *one = &scene->operating;
     struct scene_load *load = &scene->load;
     double least = load->from, most = load->to;
+    if (!load->given && one->unit_text[0]) {
+        load->unit = one->unit;
+        strcpy(load->unit_text, one->unit_text);
+    }
+    check_load_kind(scene, source, "load", "load", load->kind);
+    check_load_kind(scene, source, "loads", "direct", scene->direct.kind);
+    if (one->load == 0)
+        return;
     for (size_t i = 0; load->values && i < load->points; i++) {
         least = i == 0 ? load->values[i] : fmin(least, load->values[i]);
         most = i == 0 ? load->values[i] : fmax(most, load->values[i]);
     }
-    if (one->load == 0)
-        return true;
-    if (!check_load_kind(scene, source, key, one->kind, line))
-        return false;
+    check_load_kind(scene, source, key, key, one->kind);
     if ((one->kind == UNIT_NUMBER) != (load->kind == UNIT_NUMBER) && !has_one_modulus(scene))
-        return scene_source_fail(
-            source, line, "'%s' is %s and the loads are %s, which differ from material to material; give both alike",
-            key, unit_quantity_name(one->kind),
-            load->kind == UNIT_NUMBER ? "P/(A_n E')" : unit_quantity_name(load->kind));
+        FAIL_KEY(source, key,
+                 "'%s' is %s and the loads are %s, which differ from material to material; give both alike", key,
+                 unit_quantity_name(one->kind),
+                 load->kind == UNIT_NUMBER ? "P/(A_n E')" : unit_quantity_name(load->kind));
     struct material_pair pair = scene_pair(scene_bodies_of(scene, 0));
-    double value = one_load(one, scene, &pair);
+    double value = scene_load_as(one, scene, &pair);
     if (!load->given && value >= least_by_itself && value <= 1) {
         load->from = least = fmin(least, value / 10);
         load->to = most = fmax(most, fmin(10 * value, 1));
     }
-    return (value >= least && value <= most) ||
-           scene_source_fail(source, line, "'%s' is %g%s%s, outside the loads, %g to %g", key, value,
-                             load->kind == UNIT_NUMBER ? "" : " ", unit_si(load->kind), least, most);
+    if (!(value >= least && value <= most))
+        FAIL_KEY(source, key, "'%s' is %g%s%s, outside the loads, %g to %g", key, value,
+                 load->kind == UNIT_NUMBER ? "" : " ", unit_si(load->kind), least, most);
 }
 
-/* Where the scene gives no loads, tables and charts stand in the unit of the operating load. */
-static void take_load_unit(struct scene_load *load, const struct scene_one_load *operating)
+static void override_units(struct scene *scene, struct scene_source *source)
 {
-    if (load->given || !operating->unit_text[0])
-        return;
-    load->unit = operating->unit;
-    strcpy(load->unit_text, operating->unit_text);
+    const struct scene_key key = {"unit", NULL, SCENE_SHORT_TEXT(0, sizeof scene->surfaces->x_unit)};
+    const char *x_unit = source->overrides->x_unit, *z_unit = source->overrides->z_unit;
+    for (size_t i = 0; i <= scene->surface_count; i++) {
+        struct scene_surface *surface = i ? &scene->surfaces[i - 1] : &scene->counterface_surface;
+        if (x_unit)
+            scene_source_option(source, &key, "x-unit", x_unit, surface->x_unit);
+        if (z_unit)
+            scene_source_option(source, &key, "z-unit", z_unit, surface->z_unit);
+    }
 }
 
-static bool check_loads(struct scene *scene, struct scene_source *source)
-{
-    take_load_unit(&scene->load, &scene->operating);
-    return check_load_kind(scene, source, "load", scene->load.kind, scene_keys_line(source, "load")) &&
-           check_load_kind(scene, source, "loads", scene->direct.kind, scene_keys_line(source, "direct")) &&
-           check_one_load(&scene->operating, "operating_load", scene, source);
-}
-
-static bool check_template(const struct scene *scene, struct scene_source *source)
-{
-    char *path = scene->template ? scene_file_path(scene, scene->template) : NULL;
-    bool good = !scene->template || (path && access(path, R_OK) == 0);
-    free(path);
-    return good || scene_source_fail(source, scene_keys_line(source, "template"), "cannot read the template '%s': %s",
-                                     scene_words_show(scene->template).text, strerror(errno));
-}
-
-static bool check_baseline(const struct scene *scene, struct scene_source *source)
-{
-    if (!scene->baseline || scene->surface_count == 0)
-        return true;
-    for (size_t i = 0; i < scene->surface_count; i++)
-        if (strcmp(scene->surfaces[i].name, scene->baseline) == 0)
-            return true;
-    return scene_source_fail(source, scene_keys_line(source, "baseline"),
-                             "'baseline' is '%s', no surface's name; the first is '%s'",
-                             scene_words_show(scene->baseline).text, scene_words_show(scene->surfaces[0].name).text);
-}
-
-static bool check_left(const struct scene *scene, struct scene_source *source)
+static void check_surfaces(struct scene *scene, struct scene_source *source)
 {
     const char *key = scene->counterface_surface.files.count > 0 ? "counterface" : "measured";
-    if (scene->surface_count > 0 || scene->counterface_surface.files.count + scene->measured.files.count == 0)
-        return true;
-    return scene_source_fail(source, scene_keys_line(source, key),
-                             "no scan is left for the surfaces beside the files of '%s'", key);
+    size_t count = scene->surface_count, i = 0;
+    if (count == 0 && scene->counterface_surface.files.count + scene->measured.files.count > 0)
+        FAIL_KEY(source, key, "no scan is left for the surfaces beside the files of '%s'", key);
+    while (scene->baseline && i < count && strcmp(scene->surfaces[i].name, scene->baseline) != 0)
+        i++;
+    if (scene->baseline && count > 0 && i == count)
+        FAIL_KEY(source, "baseline", "'baseline' is '%s', no surface's name; the first is '%s'",
+                 scene_words_show(scene->baseline).text, scene_words_show(scene->surfaces[0].name).text);
 }
 
-static enum status_code complete(struct scene *scene, struct scene_source *source,
-                                 const struct scene_overrides *overrides)
+static void check_template(struct scene *scene, struct scene_source *source)
 {
-    struct status *status = source->status;
-    if (!complete_keys(scene, source) || !override_values(scene, source, overrides) ||
-        (scene->surface_count == 0 && scene_files_list(scene, status) != STATUS_OK) ||
-        !complete_all_bodies(scene, source) || !scene_shape_complete(scene, source) || !check_loads(scene, source) ||
-        !scene_asked_complete(scene, source) || !override_units(scene, source, overrides) ||
-        !check_left(scene, source) || !check_baseline(scene, source) || !check_template(scene, source))
-        return status->code;
-    char *path = realpath(scene->directory, NULL); /* the directory's own name, however it is given */
-    if (!scene->title)
-        scene->title = strdup(path ? basename(path) : scene->directory);
+    char *path = scene->template ? scene_file_path(scene, scene->template) : NULL;
+    if (scene->template && (!path || access(path, R_OK) != 0))
+        FAIL_KEY(source, "template", "cannot read the template '%s': %s", scene_words_show(scene->template).text,
+                 strerror(errno));
     free(path);
-    return scene->title ? STATUS_OK : status_memory(status);
 }
+
+static void give_title(struct scene *scene, struct scene_source *source)
+{
+    char *path = realpath(scene->directory, NULL); /* the directory's own name, however it is given */
+    if (!scene->title && !(scene->title = strdup(path ? basename(path) : scene->directory)))
+        scene_source_memory(source);
+    free(path);
+}
+
+static void (*const steps[])(struct scene *scene, struct scene_source *source) = {
+    complete_keys,       override_values, scene_shape_size,     call_effects, list_surfaces,
+    complete_all_bodies, check_rules,     scene_shape_complete, check_loads,  scene_asked_complete,
+    override_units,      check_surfaces,  check_template,       give_title,
+};
 
 enum status_code scene_read(struct scene *out, const char *directory, const struct scene_overrides *overrides,
                             struct status *status)
 {
     static const struct scene_overrides nothing = {0};
     const struct scene_overrides *over = overrides ? overrides : &nothing;
-    struct scene_source source = {.scene = out, .status = status};
+    struct scene_source source = {.scene = out, .status = status, .whole = &scene_keys_whole, .overrides = over};
     struct text loaded = {0};
     struct stat info;
-    bool good = false;
     *out = default_scene();
     if (stat(directory, &info) != 0)
         return status_fail(status, STATUS_IO, "cannot open directory '%s': %s", directory, strerror(errno));
@@ -376,9 +339,12 @@ enum status_code scene_read(struct scene *out, const char *directory, const stru
     if (!out->path)
         return status_memory(status);
     const struct text *text = over->text ? over->text : &loaded;
-    if ((over->text || load_text(&loaded, out, status) == STATUS_OK) &&
-        (!out->path || scene_source_read(&source, text_string(text), text->length)))
-        good = complete(out, &source, over) == STATUS_OK;
+    bool good = (over->text || load_text(&loaded, out, status) == STATUS_OK) &&
+                (!out->path || scene_source_read(&source, text_string(text), text->length));
+    for (size_t i = 0; i < SCENE_COUNT(steps) && good; i++) {
+        steps[i](out, &source);
+        good = status->code == STATUS_OK;
+    }
     if (good && out->accuracy > 0)
         plan_choose_model(out);
     text_free(&loaded);
@@ -405,60 +371,4 @@ void scene_free(struct scene *scene)
     free(scene->path);
     free(scene->directory);
     *scene = (struct scene){0};
-}
-
-/* `points` loads in equal steps of their logarithm; by powers of ten, so that whole decades come out exactly. */
-static void fill_decades(double *loads, const struct scene_load *load)
-{
-    double first = log10(load->from), last = log10(load->to);
-    for (size_t i = 1; i + 1 < load->points; i++) {
-        double step = (last - first) * (double)i / (double)(load->points - 1);
-        loads[i] = fmin(fmax(pow(10.0, first + step), load->from), load->to);
-    }
-    loads[load->points - 1] = load->to;
-    loads[0] = load->from;
-}
-
-double scene_load_divisor(const struct scene *scene, enum unit_quantity kind, const struct material_pair *pair)
-{
-    double modulus_Pa = pair->unknown ? NAN : pair->effective_modulus_Pa;
-    return kind == UNIT_NUMBER ? 1 : kind == UNIT_PRESSURE ? modulus_Pa : modulus_Pa * scene->nominal_area_m2;
-}
-
-double scene_load_of(const struct scene_one_load *one, const struct scene *scene, const struct material_pair *pair)
-{
-    return one_load(one, scene, pair) / scene_load_divisor(scene, scene->load.kind, pair);
-}
-
-enum status_code scene_loads(double **loads, size_t *count, size_t *operating, const struct scene *scene,
-                             const struct material_pair *pair, struct status *status)
-{
-    const struct scene_load *load = &scene->load;
-    double divisor = scene_load_divisor(scene, load->kind, pair), operates = one_load(&scene->operating, scene, pair);
-    size_t points = load->points;
-    double *all = malloc((points + 1) * sizeof *all);
-    *loads = all;
-    *count = 0;
-    if (!all)
-        return status_memory(status);
-    if (load->values)
-        memcpy(all, load->values, points * sizeof *all);
-    else
-        fill_decades(all, load);
-    if (operates > 0)
-        all[points++] = operates;
-    gsl_sort(all, 1, points);
-    for (size_t i = 0; i < points; i++)
-        if (i == 0 || all[i] != all[*count - 1])
-            all[(*count)++] = all[i];
-    *operating = *count / 2;
-    for (size_t i = 0; i < *count; i++)
-        if (operates > 0 && all[i] == operates)
-            *operating = i;
-    for (size_t i = 0; i < *count && load->kind != UNIT_NUMBER; i++) {
-        all[i] /= divisor;
-        if (i > 0 && !(all[i] > all[i - 1])) /* neighbours that rounding made one: as many on every surface */
-            all[i] = nextafter(all[i - 1], INFINITY);
-    }
-    return STATUS_OK;
 }

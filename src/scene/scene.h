@@ -116,6 +116,7 @@ struct scene_direct {
 /** The shape of the parts, as the scene gives it; what comes of it is in struct joint. */
 struct scene_shape {
     enum { SCENE_SHAPE_BULGE, SCENE_SHAPE_HEIGHT, SCENE_SHAPE_PRESSURE, SCENE_SHAPE_BOLTS } kind;
+    bool given;
     double flatness_m, over_m, crown_m; /* 0: not given */
     struct scene_files files;           /* of height or pressure */
     unsigned scale;                     /* 1: the field is that of any load */
@@ -257,6 +258,9 @@ double scene_load_divisor(const struct scene *scene, enum unit_quantity kind, co
 
 /** operating as P/(A_n E') of a pair of bodies; 0: none. */
 double scene_load_of(const struct scene_one_load *one, const struct scene *scene, const struct material_pair *pair);
+
+/** The same in the kind of the scene's loads. */
+double scene_load_as(const struct scene_one_load *one, const struct scene *scene, const struct material_pair *pair);
 
 /** The scene's loads on a pair of bodies as P/(A_n E'), ascending, without duplicates: malloc'ed array in *loads,
  * *count of them, as many whatever the pair is; *operating is the place of the one where the summary stands. Error:

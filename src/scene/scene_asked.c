@@ -42,15 +42,11 @@ static bool read_ends(struct scene_source *source, const struct scene_key *key, 
 {
     struct list *list = field;
     struct scene_key keys[2] = {*key, *key};
-    size_t lines[2];
     list->key = key->name;
     keys[0].name = "most";
     keys[1].name = "least";
     keys[0].read = keys[1].read = read_value;
-    if (!scene_source_mapping(source, value, SCENE_MAPPING(key->name, keys), lines, list))
-        return false;
-    return lines[0] > 0 || lines[1] > 0 ||
-           scene_source_fail_at(source, value, "'%s' has no limit; give 'most' or 'least'", key->name);
+    return scene_source_mapping(source, value, SCENE_RULED(key->name, keys, .needs = "most or least"), list);
 }
 
 bool scene_asked_read(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value, void *field)
@@ -61,7 +57,7 @@ bool scene_asked_read(struct scene_source *source, const struct scene_key *key, 
     size_t *count = limits ? &scene->limit_count : &scene->target_count;
     struct list list = {.items = *items = calloc(ASKED_MOST, sizeof **items), .count = count};
     struct scene_key keys[KEYS_MOST];
-    size_t lines[KEYS_MOST], known = 0;
+    size_t known = 0;
     if (!*items)
         return scene_source_memory(source);
     for (size_t r = 0; r < KEYS_MOST; r++) {
@@ -77,9 +73,9 @@ bool scene_asked_read(struct scene_source *source, const struct scene_key *key, 
                                                .most = how->most,
                                                .quantities = how->total | how->per_area};
     }
-    const struct scene_mapping mapping = {key->name, keys, known};
+    const struct scene_mapping mapping = {.name = key->name, .keys = keys, .count = known};
     for (size_t i = 0; i < (limits ? 1 : scene_source_item_count(value)); i++)
-        if (!scene_source_mapping(source, limits ? value : scene_source_item(source, value, i), &mapping, lines, &list))
+        if (!scene_source_mapping(source, limits ? value : scene_source_item(source, value, i), &mapping, &list))
             return false;
     return *count > 0 || scene_source_fail_at(source, value, "'%s' names none; remove the line, or give one such as %s",
                                               key->name, limits ? "ecr: {most: 2 mohm}" : "{ecr: 1 mohm}");
@@ -145,14 +141,13 @@ static bool complete(const struct scene *scene, struct scene_source *source, str
     return check_effects(scene, source, asked);
 }
 
-bool scene_asked_complete(struct scene *scene, struct scene_source *source)
+void scene_asked_complete(struct scene *scene, struct scene_source *source)
 {
     bool good = true;
     for (size_t t = 0; t < scene->target_count && good; t++)
         good = complete(scene, source, &scene->targets[t]);
     for (size_t l = 0; l < scene->limit_count && good; l++)
         good = complete(scene, source, &scene->limits[l]);
-    return good;
 }
 
 double scene_asked_shown(const struct scene_asked *asked, double value)

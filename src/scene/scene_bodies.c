@@ -2,7 +2,10 @@
 /* The bodies of a surface, and what they lack. */
 #include "scene/scene.h"
 
+#include <gsl/gsl_sort_double.h>
 #include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
 struct material_pair scene_pair(const struct scene_bodies *bodies)
 {
@@ -35,4 +38,68 @@ const struct material_property *scene_lack(const char **body, const struct scene
             return property;
     }
     return NULL;
+}
+
+/* `points` loads in equal steps of their logarithm; by powers of ten, so that whole decades come out exactly. */
+static void fill_decades(double *loads, const struct scene_load *load)
+{
+    double first = log10(load->from), last = log10(load->to);
+    for (size_t i = 1; i + 1 < load->points; i++) {
+        double step = (last - first) * (double)i / (double)(load->points - 1);
+        loads[i] = fmin(fmax(pow(10.0, first + step), load->from), load->to);
+    }
+    loads[load->points - 1] = load->to;
+    loads[0] = load->from;
+}
+
+double scene_load_divisor(const struct scene *scene, enum unit_quantity kind, const struct material_pair *pair)
+{
+    double modulus_Pa = pair->unknown ? NAN : pair->effective_modulus_Pa;
+    return kind == UNIT_NUMBER ? 1 : kind == UNIT_PRESSURE ? modulus_Pa : modulus_Pa * scene->nominal_area_m2;
+}
+
+double scene_load_as(const struct scene_one_load *one, const struct scene *scene, const struct material_pair *pair)
+{
+    if (one->load == 0 || one->kind == scene->load.kind)
+        return one->load;
+    return one->load / scene_load_divisor(scene, one->kind, pair) * scene_load_divisor(scene, scene->load.kind, pair);
+}
+
+double scene_load_of(const struct scene_one_load *one, const struct scene *scene, const struct material_pair *pair)
+{
+    return scene_load_as(one, scene, pair) / scene_load_divisor(scene, scene->load.kind, pair);
+}
+
+enum status_code scene_loads(double **loads, size_t *count, size_t *operating, const struct scene *scene,
+                             const struct material_pair *pair, struct status *status)
+{
+    const struct scene_load *load = &scene->load;
+    double divisor = scene_load_divisor(scene, load->kind, pair),
+           operates = scene_load_as(&scene->operating, scene, pair);
+    size_t points = load->points;
+    double *all = malloc((points + 1) * sizeof *all);
+    *loads = all;
+    *count = 0;
+    if (!all)
+        return status_memory(status);
+    if (load->values)
+        memcpy(all, load->values, points * sizeof *all);
+    else
+        fill_decades(all, load);
+    if (operates > 0)
+        all[points++] = operates;
+    gsl_sort(all, 1, points);
+    for (size_t i = 0; i < points; i++)
+        if (i == 0 || all[i] != all[*count - 1])
+            all[(*count)++] = all[i];
+    *operating = *count / 2;
+    for (size_t i = 0; i < *count; i++)
+        if (operates > 0 && all[i] == operates)
+            *operating = i;
+    for (size_t i = 0; i < *count && load->kind != UNIT_NUMBER; i++) {
+        all[i] /= divisor;
+        if (i > 0 && !(all[i] > all[i - 1])) /* neighbours that rounding made one: as many on every surface */
+            all[i] = nextafter(all[i - 1], INFINITY);
+    }
+    return STATUS_OK;
 }

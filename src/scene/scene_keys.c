@@ -9,12 +9,6 @@
 
 static const char *const closure_names[SINUSOID_FIT_COUNT] = {"thesis", "numeric"};
 static const char *const mean_free_path_names[SCENE_MEAN_FREE_PATH_COUNT] = {"thesis", "electron"};
-static const char *const measured_quantity_names[SCENE_MEASURED_QUANTITY_COUNT] = {"ecr", "tcr"};
-const unsigned scene_measured_resistances[SCENE_MEASURED_QUANTITY_COUNT] = {
-    [SCENE_MEASURED_ECR] = UNIT_RESISTANCE | UNIT_RESISTANCE_AREA,
-    [SCENE_MEASURED_TCR] = UNIT_THERMAL_RESISTANCE | UNIT_THERMAL_RESISTANCE_AREA,
-};
-
 /* Loads, in Pa or P/(A_n E'): any that keeps its distance from the ends of double. */
 #define LOAD_LEAST       1e-100
 #define LOAD_MOST        1e100
@@ -74,7 +68,6 @@ static bool read_models(struct scene_source *source, const struct scene_key *key
         return false;
     uint64_t *models = field;
     *models = 0;
-    source->scene->models_named = true;
     for (size_t i = 0; i < set.count; i++)
         *models |= set.given[i] ? model_find(set.names[i]) : 0;
     return *models || scene_source_fail_at(source, value, "'models' names none; remove the line for the default ones");
@@ -124,14 +117,11 @@ static bool read_export(struct scene_source *source, const struct scene_key *key
 static bool read_fit_band(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
                           void *field)
 {
-    double *band = field;
+    const double *band = field;
     if (scene_source_is(value, key->word))
         return true;
-    if (value->type != YAML_SEQUENCE_NODE || scene_source_item_count(value) != 2)
-        return scene_source_wrong_type(source, value, key->name, "two wavelengths [shortest, longest] in m");
-    for (size_t i = 0; i < 2; i++)
-        if (!scene_source_quantity(source, key, scene_source_item(source, value, i), &band[i]))
-            return false;
+    if (!scene_source_pair(source, key, value, field))
+        return false;
     return band[0] < band[1] ||
            scene_source_fail_at(source, value, "'%s' is [%g, %g]; give the shorter wavelength first", key->name,
                                 band[0], band[1]);
@@ -189,7 +179,7 @@ static const struct scene_key load_keys[] = {
     {"from", NULL, read_load_number, .at = LOAD(from), LOADS},
     {"to", NULL, read_load_number, .at = LOAD(to), LOADS},
     {"points", NULL, SCENE_WHOLE(LOAD(points), 1, LOAD_POINTS_MOST)},
-    {"values", NULL, read_load_list, .at = 0, LOADS},
+    {"values", NULL, read_load_list, .at = 0, LOADS, .excludes = "from, to, points"},
     {"unit", NULL, scene_source_unit, .at = LOAD(unit_text), .quantities = UNIT_LOADS},
 };
 
@@ -207,26 +197,21 @@ static void apply_load_unit(struct scene_load *load)
         load->values[i] *= load->unit.factor;
 }
 
-static bool read_load(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value, void *field)
+static bool complete_load(struct scene_source *source, const size_t *lines, size_t line, void *into)
 {
-    struct scene_load *load = field;
-    size_t lines[SCENE_COUNT(load_keys)];
-    if (!scene_source_mapping(source, value, SCENE_MAPPING(key->name, load_keys), lines, load))
-        return false;
-    if (load->values && (lines[LOAD_FROM] || lines[LOAD_TO] || lines[LOAD_POINTS]))
-        return scene_source_fail_at(source, value, "'load' has 'values' and also from, to or points; remove either");
+    struct scene_load *load = into;
     if (lines[LOAD_UNIT] && load->kind != UNIT_NUMBER)
         return scene_source_fail(source, lines[LOAD_UNIT], "'unit' stands beside loads that have theirs; remove it");
     if (lines[LOAD_UNIT])
         apply_load_unit(load);
     if (load->kind != UNIT_NUMBER && !load->values && !(lines[LOAD_FROM] && lines[LOAD_TO]))
-        return scene_source_fail_at(source, value, "'load' is %s, of which there is no default; give 'from' and 'to'",
-                                    unit_quantity_name(load->kind));
+        return scene_source_fail(source, line, "'load' is %s, of which there is no default; give 'from' and 'to'",
+                                 unit_quantity_name(load->kind));
     if (!load->values && load->from > load->to)
-        return scene_source_fail_at(source, value, "'from' is %g, above 'to', %g; exchange them", load->from, load->to);
+        return scene_source_fail(source, line, "'from' is %g, above 'to', %g; exchange them", load->from, load->to);
     return load->values || load->points > 1 || load->from == load->to ||
-           scene_source_fail_at(source, value, "'points' is 1, too few from %g to %g; give 2 or more, or 'values'",
-                                load->from, load->to);
+           scene_source_fail(source, line, "'points' is 1, too few from %g to %g; give 2 or more, or 'values'",
+                             load->from, load->to);
 }
 
 static bool read_one_load(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
@@ -243,52 +228,13 @@ static bool read_one_load(struct scene_source *source, const struct scene_key *k
 }
 
 #define BENCHMARK(member) offsetof(struct scene_convergence, member)
-static bool read_convergence(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
-                             void *field)
-{
-    static const struct scene_key keys[] = {
-        {"alpha", NULL, SCENE_NUMBER(BENCHMARK(alpha), 1e-12, 1e12)},
-        {"gamma", NULL, SCENE_NUMBER(BENCHMARK(gamma), 0.0, 5.0)},
-        {"load", NULL, SCENE_NUMBER(BENCHMARK(load), LOAD_LEAST, LOAD_MOST)},
-        {"scan_length", NULL, SCENE_QUANTITY(BENCHMARK(scan_length_m), UNIT_DISTANCE, 1e-9, 1e3),
-         .alias = "scan_length_m"},
-        {"scales", NULL, SCENE_WHOLE(BENCHMARK(scales), 1, 1e6)},
-    };
-    size_t lines[SCENE_COUNT(keys)];
-    struct scene_convergence *convergence = field;
-    convergence->given = true;
-    if (!scene_source_mapping(source, value, SCENE_MAPPING(key->name, keys), lines, field))
-        return false;
-    convergence->load_given = lines[2] > 0;
-    return true;
-}
-
-#define MEASURED(member) offsetof(struct scene_measured, member)
-bool scene_keys_measured(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
-                         void *field)
-{
-    static const struct scene_key keys[] = {
-        {"file", NULL, scene_surfaces_files, .at = MEASURED(files)},
-        {"quantity", NULL, SCENE_CHOICE(MEASURED(quantity), measured_quantity_names)},
-        {"load_unit", NULL, scene_source_unit, .at = MEASURED(load_unit), .quantities = UNIT_LOADS},
-        {"resistance_unit", NULL, scene_source_unit, .at = MEASURED(resistance_unit),
-         .quantities = UNIT_RESISTANCE | UNIT_RESISTANCE_AREA | UNIT_THERMAL_RESISTANCE | UNIT_THERMAL_RESISTANCE_AREA},
-        {"carry", NULL, SCENE_YES(MEASURED(carry))},
-    };
-    struct scene_measured *measured = field;
-    size_t lines[SCENE_COUNT(keys)];
-    struct unit unit;
-    measured->carry = true;
-    if (!scene_source_mapping(source, value, SCENE_MAPPING(key->name, keys), lines, field))
-        return false;
-    const char *text = measured->resistance_unit;
-    unsigned known = scene_measured_resistances[measured->quantity];
-    if (*text && unit_read(&unit, text, strlen(text)) && !unit_of(&unit, known))
-        return scene_source_fail(source, lines[3], "'resistance_unit' is '%s'; understood: %s", text,
-                                 unit_known(known).text);
-    return measured->files.count > 0 ||
-           scene_source_fail_at(source, value, "'measured' has no 'file'; name a CSV of load and resistance");
-}
+static const struct scene_key convergence_keys[] = {
+    {"alpha", NULL, SCENE_NUMBER(BENCHMARK(alpha), 1e-12, 1e12)},
+    {"gamma", NULL, SCENE_NUMBER(BENCHMARK(gamma), 0.0, 5.0)},
+    {"load", NULL, SCENE_NUMBER(BENCHMARK(load), LOAD_LEAST, LOAD_MOST), .given = BENCHMARK(load_given)},
+    {"scan_length", NULL, SCENE_QUANTITY(BENCHMARK(scan_length_m), UNIT_DISTANCE, 1e-9, 1e3), .alias = "scan_length_m"},
+    {"scales", NULL, SCENE_WHOLE(BENCHMARK(scales), 1, 1e6)},
+};
 
 /* How many, or which. */
 static bool read_direct_loads(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
@@ -324,21 +270,21 @@ static const struct scene_key direct_keys[] = {
 };
 const struct scene_key *const scene_budget_key = &direct_keys[DIRECT_BUDGET];
 
-static bool read_direct(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value, void *field)
+static bool complete_direct(struct scene_source *source, const size_t *lines, size_t line, void *into)
 {
-    struct scene_direct *direct = field;
-    size_t lines[SCENE_COUNT(direct_keys)];
-    if (scene_source_is(value, "off"))
-        return true;
+    struct scene_direct *direct = into;
+    const size_t points = direct->grid * direct->grid * direct->seeds;
     direct->called = true;
-    if (!scene_source_mapping(source, value, SCENE_MAPPING(key->name, direct_keys), lines, field))
-        return false;
     if (direct->grid % 2 != 0)
         return scene_source_fail(source, lines[0], "'grid' is %zu; give an even number", direct->grid);
-    size_t points = direct->grid * direct->grid * direct->seeds;
     return points <= limit_most(LIMIT_DIRECT_POINTS) ||
-           scene_source_fail_at(source, value, "%zu x %zu points, %zu times%s", direct->grid, direct->grid,
-                                direct->seeds, limit_words(LIMIT_DIRECT_POINTS).text);
+           scene_source_fail(source, line, "%zu x %zu points, %zu times%s", direct->grid, direct->grid, direct->seeds,
+                             limit_words(LIMIT_DIRECT_POINTS).text);
+}
+
+static bool read_direct(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value, void *field)
+{
+    return scene_source_is(value, "off") || scene_source_within(source, key, value, field);
 }
 
 static bool read_fluid(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value, void *field)
@@ -365,29 +311,24 @@ static bool read_fluid(struct scene_source *source, const struct scene_key *key,
 
 /* What fills the gaps between the spots, into a struct joint. */
 #define JOINT(member) offsetof(struct joint, member)
-static bool read_gap(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value, void *field)
+static const struct scene_key gap_keys[] = {
+    {"conductivity", NULL, SCENE_QUANTITY(JOINT(conductivity_W_per_mK), UNIT_CONDUCTIVITY, 1e-6, 1e4),
+     .excludes = "gas, pressure, accommodation"},
+    {"filler", NULL, SCENE_CHOICE(JOINT(filler), joint_filler_names), .word = "none",
+     .excludes = "gas, pressure, accommodation"},
+    {"bond_line", NULL, SCENE_QUANTITY(JOINT(bond_line_m), UNIT_DISTANCE, 1e-9, 1.0),
+     .needs = "conductivity or filler"},
+    {"gas", NULL, read_fluid, .at = 0},
+    {"pressure", NULL, SCENE_QUANTITY(JOINT(pressure_Pa), UNIT_PRESSURE, 0.0, 1e9)},
+    {"accommodation", NULL, SCENE_NUMBER(JOINT(accommodation), 1e-3, 1.0)},
+    {"temperature", NULL, SCENE_QUANTITY(JOINT(temperature_K), UNIT_TEMPERATURE, 1.0, 1e4)},
+    {"liquid", NULL, read_fluid, .at = 0, .excludes = "conductivity, filler, bond_line, gas, pressure, accommodation"},
+};
+static bool complete_gap(struct scene_source *source, const size_t *lines, size_t line, void *into)
 {
-    static const struct scene_key keys[] = {
-        {"conductivity", NULL, SCENE_QUANTITY(JOINT(conductivity_W_per_mK), UNIT_CONDUCTIVITY, 1e-6, 1e4)},
-        {"filler", NULL, SCENE_CHOICE(JOINT(filler), joint_filler_names)},
-        {"bond_line", NULL, SCENE_QUANTITY(JOINT(bond_line_m), UNIT_DISTANCE, 1e-9, 1.0)},
-        {"gas", NULL, read_fluid, .at = 0},
-        {"pressure", NULL, SCENE_QUANTITY(JOINT(pressure_Pa), UNIT_PRESSURE, 0.0, 1e9)},
-        {"accommodation", NULL, SCENE_NUMBER(JOINT(accommodation), 1e-3, 1.0)},
-        {"temperature", NULL, SCENE_QUANTITY(JOINT(temperature_K), UNIT_TEMPERATURE, 1.0, 1e4)},
-        {"liquid", NULL, read_fluid, .at = 0},
-    };
-    struct joint *joint = field;
-    size_t lines[SCENE_COUNT(keys)];
-    if (!scene_source_mapping(source, value, SCENE_MAPPING(key->name, keys), lines, field))
-        return false;
+    struct joint *joint = into;
+    (void)line;
     bool medium = lines[0] || joint->filler;
-    if (lines[7] && (medium || lines[2] || lines[3] || lines[4] || lines[5]))
-        return scene_source_fail(source, lines[7], "a liquid stands alone, beside 'temperature'; remove the others");
-    if (medium && (lines[3] || lines[4] || lines[5]))
-        return scene_source_fail(source, lines[lines[0] ? 0 : 1], "a filler stands beside a gas; remove either");
-    if (lines[2] && !medium)
-        return scene_source_fail(source, lines[2], "'bond_line' is of which filler? add 'filler' or 'conductivity'");
     if (joint->filler && !lines[0])
         joint->conductivity_W_per_mK = joint_fillers[joint->filler].value;
     joint->fill = medium ? JOINT_MEDIUM : joint->fill;
@@ -405,25 +346,20 @@ static bool read_gap(struct scene_source *source, const struct scene_key *key, c
     return true;
 }
 
-static bool read_plating(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
-                         void *field)
+static const char *const sides[] = {"one", "both"};
+static const struct scene_key plating_keys[] = {
+    {"thickness", NULL, SCENE_QUANTITY(JOINT(plating_thickness_m), UNIT_DISTANCE, 1e-12, 1.0)},
+    {"resistivity", NULL, SCENE_QUANTITY(JOINT(plating_ohm_m), UNIT_RESISTIVITY, 1e-12, 1e10)},
+    {"sides", NULL, SCENE_CHOICE(JOINT(both_plated), sides)},
+    {"metal", NULL, SCENE_CHOICE(JOINT(plating), joint_plating_names), .word = "none"},
+};
+static bool complete_plating(struct scene_source *source, const size_t *lines, size_t line, void *into)
 {
-    static const char *const sides[] = {"one", "both"};
-    static const struct scene_key keys[] = {
-        {"thickness", NULL, SCENE_QUANTITY(JOINT(plating_thickness_m), UNIT_DISTANCE, 1e-12, 1.0)},
-        {"resistivity", NULL, SCENE_QUANTITY(JOINT(plating_ohm_m), UNIT_RESISTIVITY, 1e-12, 1e10)},
-        {"sides", NULL, SCENE_CHOICE(JOINT(both_plated), sides)},
-        {"metal", NULL, SCENE_CHOICE(JOINT(plating), joint_plating_names)},
-    };
-    struct joint *joint = field;
-    size_t lines[SCENE_COUNT(keys)];
-    if (!scene_source_mapping(source, value, SCENE_MAPPING(key->name, keys), lines, field))
-        return false;
+    struct joint *joint = into;
+    (void)source;
+    (void)line;
     if (joint->plating && lines[1] == 0)
         joint->plating_ohm_m = joint_platings[joint->plating].value;
-    for (size_t k = 0; k < 2; k++)
-        if (lines[k] == 0 && !(k == 1 && joint->plating))
-            return scene_source_fail_at(source, value, "'%s' has no '%s'; add it", key->name, keys[k].name);
     return true;
 }
 
@@ -431,13 +367,13 @@ static bool read_plating(struct scene_source *source, const struct scene_key *ke
 const struct scene_key scene_keys[] = {
     {"title", "heading of the report; default: the directory's name", scene_source_text, .at = AT(title)},
     {"models", "families or single models, as `roughcontact models` lists them; default: those that run by default",
-     read_models, .at = AT(models)},
+     read_models, .at = AT(models), .given = AT(models_named)},
     {"effects", "auto, a list of effects, or both, as --effects takes it; default: auto", read_effects,
      .at = AT(effects)},
     {"material",
      "a built-in material, or a mapping of its properties (E, nu, Sy, resistivity, conductivity, density, "
      "specific_heat, sound_speed, hardness, mean_free_path); default: none, and only what needs no material runs",
-     scene_surfaces_body, .at = AT(bodies)},
+     scene_surfaces_material, .at = AT(bodies.material), .given = AT(bodies.material_given)},
     {"counterface",
      "rigid, same, a material, a mapping of its properties, or another rough surface: {surface: FILE, material: NAME}, "
      "whose amplitudes add as squares and whose profiles are taken in pairs; default: rigid, a flat that conducts like "
@@ -448,17 +384,17 @@ const struct scene_key scene_keys[] = {
     {"lay",
      "rms slope along over across the lay, of scans taken across it (0: perfect, 1: none), where a surface does not "
      "say its own and is no map; default: no lay",
-     SCENE_NUMBER(AT(lay), 0.0, 1.0)},
+     SCENE_NUMBER(AT(lay), 0.0, 1.0), .given = AT(lay_given)},
     {"measured",
      "{file (a list or pattern: each a run), quantity: ecr or tcr, load_unit, resistance_unit, carry}: resistance "
      "measured on the baseline; it stands above the models, but with carry: false; default: carry: true",
-     scene_keys_measured, .at = AT(measured)},
+     SCENE_MEASURED(AT(measured))},
     {"nominal_area", "default: none, and resistances stay per area",
      SCENE_QUANTITY(AT(nominal_area_m2), UNIT_AREA, 1e-18, 1e6), .word = "none", .alias = "nominal_area_m2"},
     {"hardness",
      "of the softer body: a pressure, HV 120 (kgf/mm2), or {c1, c2} of the Vickers hardness c1 (d/1 um)^c2 of an "
      "indentation of diagonal d; default: the material's, else 2.84 of its yield strength",
-     SCENE_HARDNESS(AT(bodies))},
+     SCENE_HARDNESS(AT(bodies)), .needs = "material"},
     {"mean_free_path",
      "of what carries heat, for scale-dependent, where the material does not give its own: of phonons, or of a metal's "
      "free electrons; default: thesis",
@@ -466,7 +402,7 @@ const struct scene_key scene_keys[] = {
     {"load",
      "{from, to, points}, spaced by equal factors, or {values: [...]}, as P/(A_n E') or with a unit, in which charts "
      "and tables then stand; default: 1e-6 to 0.1, and a decade beyond operating_load, in 121 points",
-     read_load, .at = AT(load)},
+     scene_source_within, .at = AT(load), .within = SCENE_RULED("load", load_keys, .then = complete_load)},
     {"operating_load",
      "where the first page stands; its unit is that of charts and tables where `load` has no loads; default: the "
      "middle "
@@ -484,7 +420,7 @@ const struct scene_key scene_keys[] = {
      "as good the cheapest runs alone; default: none is asked, and all run",
      SCENE_QUANTITY(AT(accuracy), UNIT_NUMBER | UNIT_PERCENT, 1e-3, 1e3)},
     {"level", "what is taken out of a scan; default: line, of a periodic record the mean alone",
-     SCENE_CHOICE(AT(level), level_names)},
+     SCENE_CHOICE(AT(level), level_names), .given = AT(level_given)},
     {"window", "of the spectrum; default: auto, none for a periodic record, else Hann",
      SCENE_CHOICE(AT(window), spectrum_window_names)},
     {"fit",
@@ -492,7 +428,7 @@ const struct scene_key scene_keys[] = {
      SCENE_CHOICE(AT(fit), power_law_method_names)},
     {"fit_band", "[shortest, longest] wavelength that the fit uses; default: found (auto), all (thesis)", read_fit_band,
      .at = AT(fit_band_m), .least = 1e-12, .most = 1e3, .word = "all", .quantities = UNIT_DISTANCE,
-     .alias = "fit_band_m"},
+     .alias = "fit_band_m", .given = AT(fit_band_given)},
     {"moments", "how slopes and curvatures come about; default: difference",
      SCENE_CHOICE(AT(moments), roughness_moments_names)},
     {"closure", "area and gap of a sinusoid; default: thesis", SCENE_CHOICE(AT(closure), closure_names)},
@@ -505,7 +441,8 @@ const struct scene_key scene_keys[] = {
     {"lambda_s", "cut-off of the Gaussian low-pass by ISO 16610-21; default: none",
      SCENE_QUANTITY(AT(lambda_s_m), UNIT_DISTANCE, 1e-12, 1e3), .word = "none", .alias = "lambda_s_m"},
     {"lambda_c", "cut-off of the Gaussian high-pass by ISO 16610-21; default: none",
-     SCENE_QUANTITY(AT(lambda_c_m), UNIT_DISTANCE, 1e-12, 1e3), .word = "none", .alias = "lambda_c_m"},
+     SCENE_QUANTITY(AT(lambda_c_m), UNIT_DISTANCE, 1e-12, 1e3), .word = "none", .alias = "lambda_c_m",
+     .above = "lambda_s"},
     {"tip_radius", "of the stylus: warns where the surface is sharper; default: none",
      SCENE_QUANTITY(AT(tip_radius_m), UNIT_DISTANCE, 1e-12, 1.0), .word = "none", .alias = "tip_radius_m"},
     {"template",
@@ -516,14 +453,14 @@ const struct scene_key scene_keys[] = {
     {"direct",
      "off, or {grid, seeds, loads (how many, or a list), hardness, budget, surfaces: baseline or all}: the direct "
      "solution; default: off",
-     read_direct, .at = AT(direct)},
+     read_direct, .at = AT(direct), .within = SCENE_RULED("direct", direct_keys, .then = complete_direct)},
     {"gap",
      "{gas: air, nitrogen, helium, argon, hydrogen, carbon dioxide, SF6, neon, krypton or vacuum, pressure, "
      "temperature, "
      "accommodation}, {liquid: water, oil or glycerin, temperature} or {filler: silicone grease, filled grease, pad or "
      "gallium alloy, or its conductivity, bond_line} of what fills the gaps: the heat that it carries; default: "
      "nothing is said of it",
-     read_gap, .at = AT(joint)},
+     scene_source_within, .at = AT(joint), .within = SCENE_RULED("gap", gap_keys, .then = complete_gap)},
     {"film", "insulating film on the spots, a resistance times an area; default: none",
      SCENE_QUANTITY(AT(joint.film_ohm_m2), UNIT_RESISTANCE_AREA, 0.0, 1e6)},
     {"shape",
@@ -532,24 +469,28 @@ const struct scene_key scene_keys[] = {
      "[[10 mm, 10 mm]], force: 2 kN, head: 8.5 mm}, with thickness: [5 mm, 8 mm] of "
      "the parts (default: half-spaces) and size: [20 mm, 10 mm] of the nominal area (default: a square), from a corner "
      "of which places count: conductance and ECR of the whole of it; default: the parts are flat",
-     scene_shape_read, .at = 0},
+     scene_source_within, .at = 0, .given = AT(shape.given), .within = &scene_shape_ways},
     {"plating",
      "{thickness, metal: hard gold, soft gold, tin, silver or nickel, or its resistivity, sides: one or both (the "
      "surface's comes first)}; thicker than indents are deep, a metal brings its hardness, below that of 'hardness'; "
      "default: none",
-     read_plating, .at = AT(joint)},
-    {"current", "through the contact, for its voltage and temperature; needs nominal_area; default: none",
-     SCENE_QUANTITY(AT(joint.current_A), UNIT_CURRENT, 1e-12, 1e9)},
+     scene_source_within, .at = AT(joint),
+     .within =
+         SCENE_RULED("plating", plating_keys, .needs = "thickness, resistivity or metal", .then = complete_plating)},
+    {"current", "through the contact, for its voltage and temperature; default: none",
+     SCENE_QUANTITY(AT(joint.current_A), UNIT_CURRENT, 1e-12, 1e9), .needs = "nominal_area"},
     {"convergence",
      "{alpha, gamma, load, scan_length, scales} of the convergence study; default: effects: auto runs none",
-     read_convergence, .at = AT(convergence)},
+     scene_source_within, .at = AT(convergence), .given = AT(convergence.given),
+     .within = SCENE_MAPPING("convergence", convergence_keys)},
     {"surfaces",
      "a list of {name, file, along (scans along the lay) or lay, x_unit, z_unit, column, material, "
      "counterface, hardness, measured}; default: every scan in the directory by its name, a sub-directory a surface of "
      "its files",
-     scene_surfaces_read, .at = 0},
+     scene_surfaces_read, .at = 0, .within = &scene_surfaces_each},
 };
 const size_t scene_key_count = SCENE_COUNT(scene_keys);
+const struct scene_mapping scene_keys_whole = {.name = "scene", .keys = scene_keys, .count = SCENE_COUNT(scene_keys)};
 
 bool scene_said(struct scene_said *out, const struct scene *scene, size_t k)
 {
@@ -568,12 +509,4 @@ bool scene_said(struct scene_said *out, const struct scene *scene, size_t k)
                 : key->read == scene_source_choice || key->read == scene_source_text ? SCENE_SAID_TEXT
                                                                                      : SCENE_SAID_APART;
     return true;
-}
-
-size_t scene_keys_line(const struct scene_source *source, const char *name)
-{
-    size_t k = 0;
-    for (; strcmp(scene_keys[k].name, name) != 0; k++)
-        assert(k + 1 < SCENE_COUNT(scene_keys));
-    return source->lines[k];
 }

@@ -18,17 +18,7 @@ static const double hole = 0.65;       /* over the head: ISO 273, medium, beneat
 enum { BOLTS_MOST = 1000 };
 
 /* Fails in the line of the key. */
-#define SHAPE_FAIL(source, ...) scene_source_fail((source), scene_keys_line((source), "shape"), __VA_ARGS__)
-
-/* [20 mm, 10 mm]. */
-bool scene_shape_pair(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value, void *field)
-{
-    double *pair = field;
-    if (value->type != YAML_SEQUENCE_NODE || scene_source_item_count(value) != 2)
-        return scene_source_wrong_type(source, value, key->name, "two lengths, as [20 mm, 10 mm]");
-    return scene_source_quantity(source, key, scene_source_item(source, value, 0), &pair[0]) &&
-           scene_source_quantity(source, key, scene_source_item(source, value, 1), &pair[1]);
-}
+#define SHAPE_FAIL(source, ...) FAIL_KEY((source), "shape", __VA_ARGS__)
 
 /* Places, each a pair. */
 static bool read_bolts(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value, void *field)
@@ -41,81 +31,64 @@ static bool read_bolts(struct scene_source *source, const struct scene_key *key,
     if (!(bolts->middle_m = calloc(count, sizeof *bolts->middle_m)))
         return scene_source_memory(source);
     for (; bolts->count < count; bolts->count++)
-        if (!scene_shape_pair(source, key, scene_source_item(source, value, bolts->count),
-                              bolts->middle_m[bolts->count]))
+        if (!scene_source_pair(source, key, scene_source_item(source, value, bolts->count),
+                               bolts->middle_m[bolts->count]))
             return false;
     return true;
 }
 
 #define AT(member) offsetof(struct scene, shape.member)
-enum { FLATNESS, CROWN, HEIGHT, PRESSURE, BOLTS, WAYS, OVER = WAYS, SIZE, THICKNESS, SCALE, FORCE, HEAD };
-bool scene_shape_read(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value, void *field)
+enum { FLATNESS, CROWN, HEIGHT, PRESSURE, BOLTS };
+static const struct scene_key shape_keys[] = {
+    [FLATNESS] = {"flatness", NULL, SCENE_QUANTITY(AT(flatness_m), UNIT_DISTANCE, 1e-12, 1.0), .needs = "over"},
+    [CROWN] = {"crown", NULL, SCENE_QUANTITY(AT(crown_m), UNIT_DISTANCE, 1e-6, 1e9)},
+    [HEIGHT] = {"height", NULL, scene_surfaces_files, .at = AT(files)},
+    [PRESSURE] = {"pressure", NULL, scene_surfaces_files, .at = AT(files)},
+    [BOLTS] = {"bolts", NULL, read_bolts, .at = AT(bolts), .quantities = UNIT_DISTANCE, .least = -1e3, .most = 1e3,
+               .needs = "force, head, thickness"},
+    {"over", NULL, SCENE_QUANTITY(AT(over_m), UNIT_DISTANCE, 1e-9, 1e3), .needs = "flatness", .above = "flatness"},
+    {"size", NULL, scene_source_pair, .at = offsetof(struct scene, joint.size_m), .quantities = UNIT_DISTANCE,
+     .least = 1e-9, .most = 1e3},
+    {"thickness", NULL, scene_source_pair, .at = offsetof(struct scene, joint.thickness_m), .quantities = UNIT_DISTANCE,
+     .least = 1e-9, .most = 1e3},
+    {"scale", NULL, SCENE_YES(AT(scale)), .needs = "pressure or bolts"},
+    {"force", NULL, SCENE_QUANTITY(AT(bolts.force_N), UNIT_FORCE, 1e-9, 1e9), .needs = "bolts"},
+    {"head", NULL, SCENE_QUANTITY(AT(head_m), UNIT_DISTANCE, 1e-4, 1.0), .needs = "bolts"},
+};
+
+static bool complete_way(struct scene_source *source, const size_t *lines, size_t line, void *into)
 {
-    static const struct scene_key keys[] = {
-        [FLATNESS] = {"flatness", NULL, SCENE_QUANTITY(AT(flatness_m), UNIT_DISTANCE, 1e-12, 1.0)},
-        [OVER] = {"over", NULL, SCENE_QUANTITY(AT(over_m), UNIT_DISTANCE, 1e-9, 1e3)},
-        [CROWN] = {"crown", NULL, SCENE_QUANTITY(AT(crown_m), UNIT_DISTANCE, 1e-6, 1e9)},
-        [HEIGHT] = {"height", NULL, scene_surfaces_files, .at = AT(files)},
-        [PRESSURE] = {"pressure", NULL, scene_surfaces_files, .at = AT(files)},
-        [BOLTS] = {"bolts", NULL, read_bolts, .at = AT(bolts), .quantities = UNIT_DISTANCE, .least = -1e3, .most = 1e3},
-        [SIZE] = {"size", NULL, scene_shape_pair, .at = offsetof(struct scene, joint.size_m),
-                  .quantities = UNIT_DISTANCE, .least = 1e-9, .most = 1e3},
-        [THICKNESS] = {"thickness", NULL, scene_shape_pair, .at = offsetof(struct scene, joint.thickness_m),
-                       .quantities = UNIT_DISTANCE, .least = 1e-9, .most = 1e3},
-        [SCALE] = {"scale", NULL, SCENE_YES(AT(scale))},
-        [FORCE] = {"force", NULL, SCENE_QUANTITY(AT(bolts.force_N), UNIT_FORCE, 1e-9, 1e9)},
-        [HEAD] = {"head", NULL, SCENE_QUANTITY(AT(head_m), UNIT_DISTANCE, 1e-4, 1.0)},
-    };
-    struct scene_shape *shape = &source->scene->shape;
-    size_t lines[SCENE_COUNT(keys)];
-    int ways = 0;
-    if (!scene_source_mapping(source, value, SCENE_MAPPING(key->name, keys), lines, field))
-        return false;
-    for (int way = 0; way < WAYS; way++)
-        ways += lines[way] > 0;
+    struct scene_shape *shape = &((struct scene *)into)->shape;
+    (void)line;
     shape->kind = lines[HEIGHT]     ? SCENE_SHAPE_HEIGHT
                   : lines[PRESSURE] ? SCENE_SHAPE_PRESSURE
                   : lines[BOLTS]    ? SCENE_SHAPE_BOLTS
                                     : SCENE_SHAPE_BULGE;
-    if (ways != 1 || (lines[FLATNESS] > 0) != (lines[OVER] > 0))
-        return scene_source_fail_at(source, value,
-                                    "'shape' is given in one way: {flatness: 5 um, over: 20 mm}, {crown: 2 m}, "
-                                    "{height: FILE}, {pressure: FILE} or {bolts: [[10 mm, 10 mm]], ...}");
-    if (lines[FLATNESS] > 0 && !(shape->flatness_m < shape->over_m))
-        return scene_source_fail(source, lines[OVER],
-                                 "'over' is %g m, less than 'flatness'; give the length it is over", shape->over_m);
-    for (int k = FORCE; k <= HEAD; k++)
-        if ((lines[k] > 0) != (lines[BOLTS] > 0))
-            return scene_source_fail_at(source, value, "'%s' %s 'bolts'; %s it", keys[k].name,
-                                        lines[BOLTS] ? "is missing beside" : "says nothing without",
-                                        lines[BOLTS] ? "add" : "remove");
-    if (lines[BOLTS] && !lines[THICKNESS])
-        return scene_source_fail_at(source, value, "'thickness' is missing beside 'bolts'; add it");
-    if (lines[HEIGHT] && shape->files.count > 1)
-        return scene_source_fail(source, lines[HEIGHT], "'height' is one map, not %zu", shape->files.count);
-    return lines[SCALE] == 0 || lines[BOLTS] || lines[PRESSURE] ||
-           scene_source_fail(source, lines[SCALE], "'scale' is for 'pressure' and 'bolts'; remove it");
+    return !lines[HEIGHT] || shape->files.count == 1 ||
+           scene_source_fail(source, lines[HEIGHT], "'height' is one map, not %zu", shape->files.count);
 }
 
-bool scene_shape_size(struct scene *scene, struct scene_source *source)
+const struct scene_mapping scene_shape_ways = {"shape", shape_keys, SCENE_COUNT(shape_keys),
+                                               .one_of = "flatness or crown or height or pressure or bolts",
+                                               .then = complete_way};
+
+void scene_shape_size(struct scene *scene, struct scene_source *source)
 {
     const struct scene_shape *shape = &scene->shape;
     double *side_m = scene->joint.size_m, area_m2 = side_m[0] * side_m[1];
-    if (scene_keys_line(source, "shape") == 0)
-        return true;
+    if (!shape->given)
+        return;
     scene->joint.bulge_per_m = shape->crown_m > 0  ? 1 / (2 * shape->crown_m)
                                : shape->over_m > 0 ? 4 * shape->flatness_m / pow(shape->over_m, 2)
                                                    : 0;
     if (area_m2 > 0 && isnan(scene->nominal_area_m2))
         scene->nominal_area_m2 = area_m2;
     if (isnan(scene->nominal_area_m2))
-        return SHAPE_FAIL(source, "'shape' is of which area? add 'nominal_area', or 'size' to it");
-    if (area_m2 > 0 && !(fabs(area_m2 / scene->nominal_area_m2 - 1) < 1e-3))
-        return SHAPE_FAIL(source, "'size' is %g m2 and 'nominal_area' %g m2; correct either", area_m2,
-                          scene->nominal_area_m2);
+        SHAPE_FAIL(source, "'shape' is of which area? add 'nominal_area', or 'size' to it");
+    else if (area_m2 > 0 && !(fabs(area_m2 / scene->nominal_area_m2 - 1) < 1e-3))
+        SHAPE_FAIL(source, "'size' is %g m2 and 'nominal_area' %g m2; correct either", area_m2, scene->nominal_area_m2);
     if (!(area_m2 > 0))
         side_m[0] = side_m[1] = sqrt(scene->nominal_area_m2);
-    return true;
 }
 
 /* ---- Files ---- */
@@ -376,31 +349,29 @@ static bool check_bolts(struct scene_source *source, const struct shape_bolts *b
     return true;
 }
 
-bool scene_shape_complete(struct scene *scene, struct scene_source *source)
+void scene_shape_complete(struct scene *scene, struct scene_source *source)
 {
     struct scene_shape *shape = &scene->shape;
     struct joint *joint = &scene->joint;
     struct shape_bolts *bolts = &shape->bolts;
-    if (scene_keys_line(source, "shape") == 0 || shape->kind == SCENE_SHAPE_BULGE)
-        return true;
+    struct status problem = {0};
+    if (!shape->given || shape->kind == SCENE_SHAPE_BULGE)
+        return;
     joint->fields = calloc(shape->files.count + 1, sizeof *joint->fields);
-    if (!joint->fields)
-        return scene_source_memory(source);
     joint->pressed = shape->kind != SCENE_SHAPE_HEIGHT;
-    for (size_t i = 0; i < shape->files.count; i++)
-        if (!(joint->pressed ? read_pressure : read_height)(source, shape->files.path[i]))
-            return false;
-    if (bolts->count > 0) {
-        struct status problem = {0};
+    bool good = joint->fields || scene_source_memory(source);
+    for (size_t i = 0; i < shape->files.count && good; i++)
+        good = (joint->pressed ? read_pressure : read_height)(source, shape->files.path[i]);
+    if (good && bolts->count > 0) {
         bolts->hole_m = hole * shape->head_m / 2;
         bolts->reach_m = shape->head_m / 2 + fmin(joint->thickness_m[0], joint->thickness_m[1]);
         joint->field_count = 1;
-        if (!check_bolts(source, bolts, joint->size_m))
-            return false;
-        if (shape_field_bolts(joint->fields, bolts, joint->size_m, &problem) != STATUS_OK)
-            return SHAPE_FAIL(source, "%s", problem.message);
+        good = check_bolts(source, bolts, joint->size_m) &&
+               (shape_field_bolts(joint->fields, bolts, joint->size_m, &problem) == STATUS_OK ||
+                SHAPE_FAIL(source, "%s", problem.message));
     }
-    return !joint->pressed || hold_load(scene, source);
+    if (good && joint->pressed)
+        (void)hold_load(scene, source);
 }
 
 void scene_shape_free(struct scene *scene)

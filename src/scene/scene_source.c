@@ -131,9 +131,7 @@ bool scene_source_read(struct scene_source *source, const char *bytes, size_t le
         !parse(source, bytes, length, true))
         return false;
     const yaml_node_t *root = yaml_document_get_root_node(&source->document);
-    bool good = !root || is_null(root) ||
-                scene_source_mapping(source, root, &(struct scene_mapping){"scene", scene_keys, scene_key_count},
-                                     source->lines, source->scene);
+    bool good = !root || is_null(root) || scene_source_mapping(source, root, source->whole, source->scene);
     yaml_document_delete(&source->document);
     return good;
 }
@@ -180,8 +178,16 @@ bool scene_source_unknown(struct scene_source *source, const yaml_node_t *node, 
                                 scene_words_hint(shown.text, names, count, count).text);
 }
 
+static bool read_value(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value, void *into)
+{
+    if (key->given)
+        *(bool *)((char *)into + key->given) = true;
+    return key->read(source, key, value, (char *)into + key->at);
+}
+
+/* Of key k, lines[k] and none[k], whether its word is `none` and it says so. */
 static bool read_pair(struct scene_source *source, const yaml_node_pair_t *pair, const struct scene_mapping *mapping,
-                      size_t *lines, void *into)
+                      size_t *lines, bool *none, void *into)
 {
     const yaml_node_t *name = yaml_document_get_node(&source->document, pair->key);
     const yaml_node_t *value = yaml_document_get_node(&source->document, pair->value);
@@ -189,11 +195,11 @@ static bool read_pair(struct scene_source *source, const yaml_node_pair_t *pair,
     const char *names[2 * SCENE_KEYS_MOST] = {NULL}; /* of keys, then their aliases */
     size_t key_of[2 * SCENE_KEYS_MOST], count = mapping->count, all = count, line = scene_source_line(name);
     assert(count <= SCENE_KEYS_MOST);
-    for (size_t k = 0; k < count; k++) {
-        names[key_of[k] = k] = keys[k].name;
-        if (keys[k].alias) {
-            key_of[all] = k;
-            names[all++] = keys[k].alias;
+    for (size_t i = 0; i < count; i++) {
+        names[key_of[i] = i] = keys[i].name;
+        if (keys[i].alias) {
+            key_of[all] = i;
+            names[all++] = keys[i].alias;
         }
     }
     size_t n = find_word(name, names, all);
@@ -204,27 +210,112 @@ static bool read_pair(struct scene_source *source, const yaml_node_pair_t *pair,
         return scene_source_fail(source, line, "unknown key '%s'; %s", shown.text,
                                  scene_words_hint(shown.text, names, count, all).text);
     }
-    struct scene_key key = keys[key_of[n]];
+    const size_t k = key_of[n];
+    struct scene_key key = keys[k];
     key.name = names[n];
-    if (lines[key_of[n]] != 0)
+    if (lines[k] != 0)
         return scene_source_fail(source, line, "'%s' is given twice, first in line %zu; remove one", key.name,
-                                 lines[key_of[n]]);
-    lines[key_of[n]] = line;
+                                 lines[k]);
+    lines[k] = line;
+    none[k] = key.word && strcmp(key.word, "none") == 0 && scene_source_is(value, "none");
     if (is_null(value))
         return scene_source_fail(source, line, "'%s' has no value; give one or remove the line", key.name);
-    return key.read(source, &key, value, (char *)into + key.at);
+    return read_value(source, &key, value, into);
+}
+
+/* One of a list's demands, "b or c": as it is said, and how many of its keys are given. */
+struct demand {
+    char text[160];
+    size_t keys, given;
+    size_t key; /* the last of them */
+};
+
+/* The next one, advancing `*rest`; false at the end, or without a list. */
+static bool next_demand(struct demand *out, const char **rest, const struct scene_mapping *mapping, const size_t *lines)
+{
+    size_t used = 0;
+    *out = (struct demand){0};
+    for (bool more = *rest && **rest; more; out->keys++) {
+        size_t length = strcspn(*rest, " ,"), k = 0;
+        while (k < mapping->count && (strncmp(mapping->keys[k].name, *rest, length) || mapping->keys[k].name[length]))
+            k++;
+        assert(k < mapping->count);
+        more = strncmp(*rest + length, " or ", 4) == 0;
+        out->given += lines[k] > 0;
+        out->key = k;
+        used += (size_t)snprintf(out->text + used, sizeof out->text - used, "%s'%s'",
+                                 out->keys == 0 ? ""
+                                 : more         ? ", "
+                                                : " or ",
+                                 mapping->keys[k].name);
+        *rest += length + (more ? 4 : strspn(*rest + length, ", "));
+    }
+    return out->keys > 0;
+}
+
+bool scene_source_rules(struct scene_source *source, const struct scene_mapping *mapping, const size_t *lines,
+                        size_t line, const void *into)
+{
+    const struct scene_key whole = {.name = mapping->name, .needs = mapping->needs};
+    struct demand demand;
+    for (const char *ways = mapping->one_of; next_demand(&demand, &ways, mapping, lines);)
+        if (demand.given != 1)
+            return scene_source_fail(source, line, "'%s' has %s of %s; give one", mapping->name,
+                                     demand.given ? "several" : "none", demand.text);
+    for (size_t i = 0; i <= mapping->count; i++) {
+        const struct scene_key *key = i == 0 ? &whole : &mapping->keys[i - 1];
+        const size_t own = i == 0 ? line : lines[i - 1];
+        const char *needs = key->needs, *excludes = key->excludes, *above = key->above;
+        while (own && next_demand(&demand, &needs, mapping, lines))
+            if (demand.given == 0)
+                return scene_source_fail(source, own, "'%s' needs %s; add %s, or leave '%s' out", key->name,
+                                         demand.text, demand.keys > 1 ? "one" : "it", key->name);
+        while (own && next_demand(&demand, &excludes, mapping, lines))
+            if (demand.given > 0)
+                return scene_source_fail(source, own, "'%s' stands beside %s; remove either", key->name, demand.text);
+        if (!own || !next_demand(&demand, &above, mapping, lines) || demand.given == 0)
+            continue;
+        const void *own_at = (const char *)into + key->at, *less_at = (const char *)into + mapping->keys[demand.key].at;
+        const double more = *(const double *)own_at, less = *(const double *)less_at;
+        const char *si = unit_si((enum unit_quantity)key->quantities);
+        if (!(more > less))
+            return scene_source_fail(source, own, "'%s' is %g %s, not above %s, %g %s; correct either", key->name, more,
+                                     si, demand.text, less, si);
+    }
+    return true;
 }
 
 bool scene_source_mapping(struct scene_source *source, const yaml_node_t *node, const struct scene_mapping *mapping,
-                          size_t *lines, void *into)
+                          void *into)
 {
-    memset(lines, 0, mapping->count * sizeof *lines);
+    bool none[SCENE_KEYS_MOST] = {false};
+    size_t own[SCENE_KEYS_MOST] = {0}, *lines = mapping == source->whole ? source->lines : own;
+    const size_t line = scene_source_line(node);
     if (node->type != YAML_MAPPING_NODE)
         return scene_source_wrong_type(source, node, mapping->name, "'key: value' pairs");
     for (const yaml_node_pair_t *pair = node->data.mapping.pairs.start; pair < node->data.mapping.pairs.top; pair++)
-        if (!read_pair(source, pair, mapping, lines, into))
+        if (!read_pair(source, pair, mapping, lines, none, into))
             return false;
-    return true;
+    for (size_t k = 0; k < mapping->count; k++)
+        lines[k] = none[k] ? 0 : lines[k];
+    return mapping == source->whole || /* the command line has its say first */
+           (scene_source_rules(source, mapping, lines, line, into) &&
+            (!mapping->then || mapping->then(source, lines, line, into)));
+}
+
+bool scene_source_within(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
+                         void *field)
+{
+    return scene_source_mapping(source, value, key->within, field);
+}
+
+size_t scene_keys_line(const struct scene_source *source, const char *name)
+{
+    size_t k = 0;
+    while (k + 1 < source->whole->count && strcmp(source->whole->keys[k].name, name) != 0)
+        k++;
+    assert(strcmp(source->whole->keys[k].name, name) == 0);
+    return source->lines[k];
 }
 
 bool scene_source_option(struct scene_source *source, const struct scene_key *key, const char *option, const char *text,
@@ -233,7 +324,7 @@ bool scene_source_option(struct scene_source *source, const struct scene_key *ke
     const yaml_node_t node = {.type = YAML_SCALAR_NODE,
                               .data.scalar = {.value = (yaml_char_t *)text, .length = strlen(text)}};
     source->option = option;
-    bool good = key->read(source, key, &node, (char *)into + key->at);
+    bool good = read_value(source, key, &node, into);
     source->option = NULL;
     return good;
 }
@@ -261,6 +352,15 @@ bool scene_source_quantity(struct scene_source *source, const struct scene_key *
         return false;
     *(double *)field = quantity.value;
     return true;
+}
+
+bool scene_source_pair(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value, void *field)
+{
+    double *pair = field;
+    if (value->type != YAML_SEQUENCE_NODE || scene_source_item_count(value) != 2)
+        return scene_source_wrong_type(source, value, key->name, "two lengths, as [20 mm, 10 mm]");
+    return scene_source_quantity(source, key, scene_source_item(source, value, 0), &pair[0]) &&
+           scene_source_quantity(source, key, scene_source_item(source, value, 1), &pair[1]);
 }
 
 bool scene_source_whole(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value, void *field)

@@ -11,14 +11,17 @@
 
 enum { SCENE_KEYS_MOST = 48 }; /* of one mapping */
 
+struct scene_mapping;
 struct scene_source {
     struct scene *scene; /* that is read: its path and directory are known */
     struct status *status;
     yaml_document_t document;
-    const char *option;            /* of the command line, where that is read now */
-    bool effects_overridden;       /* by the command line */
-    size_t lines[SCENE_KEYS_MOST]; /* of scene_keys: where the scene gives them, 0: it does not */
-    size_t file_count;             /* of all surfaces so far */
+    const struct scene_overrides *overrides;
+    const char *option;                /* of the command line, where that is read now */
+    bool effects_overridden;           /* by the command line */
+    const struct scene_mapping *whole; /* the scene's keys */
+    size_t lines[SCENE_KEYS_MOST];     /* of those: where the scene gives them, 0: it does not */
+    size_t file_count;                 /* of all surfaces so far */
 };
 
 struct scene_key;
@@ -38,31 +41,48 @@ struct scene_key {
     const char *word;    /* numbers: a word that leaves the default, or NULL */
     unsigned quantities; /* quantities: what they may be, enum unit_quantity bits */
     const char *alias;   /* an older name, or NULL: not shown in messages where the other will do */
+    size_t given;        /* offset of a bool that tells that it is; 0: there is none */
+    /* What it asks of the other keys of its mapping, or NULL. A list: "a, b or c" is a, and one of b and c. */
+    const char *needs;                  /* what has to stand beside it */
+    const char *excludes;               /* what may not: of "a, b" neither */
+    const char *above;                  /* quantities: the key whose number has to be less */
+    const struct scene_mapping *within; /* that its value is, or each of a list; NULL: none, or made as it is read */
 };
 
 /** The keys of scene.yaml, which lie in a struct scene. */
 extern const struct scene_key scene_keys[];
 extern const size_t scene_key_count;
+extern const struct scene_mapping scene_keys_whole;
 extern const struct scene_key *const scene_budget_key; /* of struct scene_direct */
 /** The line that gives the key of that name; 0: none does. */
 size_t scene_keys_line(const struct scene_source *source, const char *name);
 
-/** Parses `bytes` and reads the keys of scene.yaml, unless the text says nothing. Errors: not YAML, nested too deep,
- * more than one document, those of the keys. */
+/** Parses `bytes` and reads the keys of source->whole, unless the text says nothing; their rules wait for what else is
+ * known. Errors: not YAML, nested too deep, more than one document, those of the keys. */
 MUST_CHECK bool scene_source_read(struct scene_source *source, const char *bytes, size_t length);
-/** A mapping's name, for messages, and its keys. */
+/** A mapping's name, for messages, its keys, and what it asks for, both lists as those of a key. */
 struct scene_mapping {
     const char *name;
     const struct scene_key *keys;
     size_t count;
+    const char *needs;  /* what has to be there */
+    const char *one_of; /* of "a or b" exactly one has to */
+    /* What follows once it is read and its rules are kept, or NULL; it stands in line `line`, its keys in lines[k]. */
+    bool (*then)(struct scene_source *source, const size_t *lines, size_t line, void *into);
 };
-#define SCENE_MAPPING(name, keys) (&(const struct scene_mapping){(name), (keys), SCENE_COUNT(keys)})
-/** Reads it into `into`; lines[k] is where keys[k] is given, 0: it is not. */
+#define SCENE_MAPPING(name, keys)    SCENE_RULED(name, keys, .needs = NULL)
+#define SCENE_RULED(name, keys, ...) (&(const struct scene_mapping){(name), (keys), SCENE_COUNT(keys), __VA_ARGS__})
+/** Fails where a rule is broken: by keys that stand in lines[k], 0: they do not, of a mapping in line `line` that was
+ * read into `into`. */
+bool scene_source_rules(struct scene_source *source, const struct scene_mapping *mapping, const size_t *lines,
+                        size_t line, const void *into);
+/** Reads it into `into`, checks its rules and does what is to follow. A key stands in no line, too, where its word is
+ * `none` and it says so. Of source->whole source->lines is filled alone. */
 MUST_CHECK bool scene_source_mapping(struct scene_source *source, const yaml_node_t *node,
-                                     const struct scene_mapping *mapping, size_t *lines, void *into);
+                                     const struct scene_mapping *mapping, void *into);
 /** Reads the text of an option of the command line as the value of `key`. Error: STATUS_USAGE. */
-MUST_CHECK bool scene_source_option(struct scene_source *source, const struct scene_key *key, const char *option,
-                                    const char *text, void *into);
+bool scene_source_option(struct scene_source *source, const struct scene_key *key, const char *option, const char *text,
+                         void *into);
 
 /** Items of a node that is a list or stands for a list of one. */
 size_t scene_source_item_count(const yaml_node_t *node);
@@ -73,6 +93,7 @@ bool scene_source_is(const yaml_node_t *node, const char *word);
 
 /** Fails with "path:line: " before the message, or with the option that is read now; the line may be that of a node. */
 bool scene_source_fail(struct scene_source *source, size_t line, const char *format, ...) PRINTF_LIKE(3, 4);
+#define FAIL_KEY(source, key, ...)              scene_source_fail((source), scene_keys_line((source), (key)), __VA_ARGS__)
 #define scene_source_fail_at(source, node, ...) scene_source_fail((source), scene_source_line(node), __VA_ARGS__)
 /** Fails: the value of `what` is not of the type `expected` ("a number"). */
 bool scene_source_wrong_type(struct scene_source *source, const yaml_node_t *node, const char *what,
@@ -86,8 +107,11 @@ struct string_view scene_source_scalar(const yaml_node_t *node);
 bool scene_source_memory(struct scene_source *source);
 
 /** To stand in scene_key.read; the field is a double (a number in SI or, where the quantities have units, with its
- * unit), a size_t, an enum, a malloc'ed char *, a char array. */
-scene_reader scene_source_quantity, scene_source_whole, scene_source_choice, scene_source_text, scene_source_short_text;
+ * unit), two of them, a size_t, an enum, a malloc'ed char *, a char array. */
+scene_reader scene_source_quantity, scene_source_pair, scene_source_whole, scene_source_choice, scene_source_text,
+    scene_source_short_text;
+/** The mapping key->within. */
+scene_reader scene_source_within;
 /** The spelling of a unit of key->quantities, into a char[UNIT_LENGTH]. */
 scene_reader scene_source_unit;
 /** A quantity with all there is to know of it. */
@@ -107,7 +131,8 @@ extern const char *const scene_source_yes[2];
 #define SCENE_YES(place) SCENE_CHOICE(place, scene_source_yes)
 #define SCENE_HARDNESS(place)                                                                                          \
     scene_surfaces_hardness, .at = (place), .quantities = UNIT_PRESSURE, .least = 1e3, .most = 1e12,                   \
-                             .alias = "hardness_Pa"
+                             .alias = "hardness_Pa", .within = &scene_surfaces_vickers
+#define SCENE_MEASURED(place)         scene_source_within, .at = (place), .within = &scene_surfaces_measured
 #define SCENE_SHORT_TEXT(place, size) scene_source_short_text, .at = (place), .most = (size)
 
 /** `effects` with those they build on. */
@@ -117,15 +142,17 @@ unsigned scene_keys_with_needed(unsigned effects);
 
 /** The list `surfaces`, into a struct scene. */
 scene_reader scene_surfaces_read;
+extern const struct scene_mapping scene_surfaces_each;
 /** rigid | same | a material's name | a mapping of properties | {surface: file, material: ..., x_unit, z_unit}, into
  * source->scene. */
 scene_reader scene_surfaces_counterface;
 /** A pressure, HV 120 or {c1, c2}, into a struct scene_bodies. */
 scene_reader scene_surfaces_hardness;
-/** A built-in name or a mapping of properties, into a struct scene_bodies. */
-scene_reader scene_surfaces_body;
+extern const struct scene_mapping scene_surfaces_vickers;
+/** A built-in name or a mapping of properties, into a struct material. */
+scene_reader scene_surfaces_material;
 /** What was measured, into a struct scene_measured. */
-scene_reader scene_keys_measured;
+extern const struct scene_mapping scene_surfaces_measured;
 /** One file or a list of them, each checked to exist, into a struct scene_files. */
 scene_reader scene_surfaces_files;
 
@@ -152,7 +179,7 @@ MUST_CHECK enum status_code scene_files_add(struct scene_files *files, const cha
  * scene.yaml, no sidecar, and may be a scan, and one for each such sub-directory that holds files, which are its
  * repeated scans; what is passed over is told in scene->passed_over; names and order as scene_read() says. Errors:
  * STATUS_IO, STATUS_MEMORY. */
-MUST_CHECK enum status_code scene_files_list(struct scene *scene, struct status *status);
+enum status_code scene_files_list(struct scene *scene, struct status *status);
 
 /** The name of a surface read from `file`: its last component, without the ending unless `ending`; malloc'ed. */
 char *scene_files_name(const char *file, bool ending);
@@ -160,17 +187,17 @@ void scene_files_free(struct scene_files *files);
 /** Frees what one surface holds. */
 void scene_surfaces_free(struct scene_surface *surface);
 
-/** How the parts are shaped, into a struct scene; a pair of lengths. */
-scene_reader scene_shape_read, scene_shape_pair;
+/** How the parts are shaped, into a struct scene. */
+extern const struct scene_mapping scene_shape_ways;
 /** The sides of the nominal area, once that is known, and its fields, once the bodies are. */
-MUST_CHECK bool scene_shape_size(struct scene *scene, struct scene_source *source);
-MUST_CHECK bool scene_shape_complete(struct scene *scene, struct scene_source *source);
+void scene_shape_size(struct scene *scene, struct scene_source *source);
+void scene_shape_complete(struct scene *scene, struct scene_source *source);
 void scene_shape_free(struct scene *scene);
 
 /* What a scene asks of the contact, into a struct scene: `targets`, a list of `key: value` pairs, each a quantity,
  * whose load is sought; `limits` to be kept, `key: {most: value, least: value}`. */
 scene_reader scene_asked_read;
 /** Turns what was read into the models' quantities, now that the nominal area is known. */
-MUST_CHECK bool scene_asked_complete(struct scene *scene, struct scene_source *source);
+void scene_asked_complete(struct scene *scene, struct scene_source *source);
 
 #endif

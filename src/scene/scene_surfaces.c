@@ -34,15 +34,15 @@ static bool read_material_name(struct scene_source *source, const struct scene_k
 }
 
 /* A built-in name or a mapping of properties. The key's choices are named in the message about an unknown name. */
-static bool read_material(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
-                          struct material *material)
+bool scene_surfaces_material(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
+                             void *field)
 {
+    struct material *material = field;
     if (value->type == YAML_SCALAR_NODE)
         return read_material_name(source, key, value, material);
     if (value->type != YAML_MAPPING_NODE)
         return scene_source_wrong_type(source, value, key->name, "a name or a mapping of properties");
 
-    size_t lines[MATERIALS_MOST];
     struct scene_key keys[MATERIALS_MOST] = {
         {"name", NULL, SCENE_SHORT_TEXT(offsetof(struct material, name), sizeof material->name)}};
     assert(material_property_count < SCENE_COUNT(keys));
@@ -52,14 +52,10 @@ static bool read_material(struct scene_source *source, const struct scene_key *k
             (struct scene_key){row->name, NULL, SCENE_QUANTITY(row->offset, row->quantity, row->least, row->most),
                                .alias = strcmp(row->name, row->key) != 0 ? row->key : NULL};
     }
-    const struct scene_mapping mapping = {key->name, keys, 1 + material_property_count};
+    const struct scene_mapping mapping = {key->name, keys, 1 + material_property_count, .needs = "E, nu"};
     *material = material_unknown("custom");
     material->source = "given in scene.yaml";
-    if (!scene_source_mapping(source, value, &mapping, lines, material))
-        return false;
-    bool stiff = !isnan(material->youngs_modulus_Pa);
-    return (stiff && !isnan(material->poisson_ratio)) ||
-           scene_source_fail_at(source, value, "'%s' has no '%s'; add it", key->name, stiff ? "nu" : "E");
+    return scene_source_mapping(source, value, &mapping, material);
 }
 
 /* Counts files of the scene, which aliases of long lists multiply. */
@@ -121,6 +117,38 @@ bool scene_surfaces_files(struct scene_source *source, const struct scene_key *k
     return true;
 }
 
+static const char *const measured_quantity_names[SCENE_MEASURED_QUANTITY_COUNT] = {"ecr", "tcr"};
+const unsigned scene_measured_resistances[SCENE_MEASURED_QUANTITY_COUNT] = {
+    [SCENE_MEASURED_ECR] = UNIT_RESISTANCE | UNIT_RESISTANCE_AREA,
+    [SCENE_MEASURED_TCR] = UNIT_THERMAL_RESISTANCE | UNIT_THERMAL_RESISTANCE_AREA,
+};
+
+#define MEASURED(member) offsetof(struct scene_measured, member)
+static const struct scene_key measured_keys[] = {
+    {"file", NULL, scene_surfaces_files, .at = MEASURED(files)},
+    {"quantity", NULL, SCENE_CHOICE(MEASURED(quantity), measured_quantity_names)},
+    {"load_unit", NULL, scene_source_unit, .at = MEASURED(load_unit), .quantities = UNIT_LOADS},
+    {"resistance_unit", NULL, scene_source_unit, .at = MEASURED(resistance_unit),
+     .quantities = UNIT_RESISTANCE | UNIT_RESISTANCE_AREA | UNIT_THERMAL_RESISTANCE | UNIT_THERMAL_RESISTANCE_AREA},
+    {"carry", NULL, SCENE_YES(MEASURED(carry))},
+};
+
+static bool complete_measured(struct scene_source *source, const size_t *lines, size_t line, void *into)
+{
+    struct scene_measured *measured = into;
+    const char *text = measured->resistance_unit;
+    const unsigned known = scene_measured_resistances[measured->quantity];
+    struct unit unit;
+    (void)line;
+    measured->carry = measured->carry || lines[4] == 0; /* what was measured stands above a model unless told not to */
+    return !*text || !unit_read(&unit, text, strlen(text)) || unit_of(&unit, known) ||
+           scene_source_fail(source, lines[3], "'resistance_unit' is '%s'; understood: %s", text,
+                             unit_known(known).text);
+}
+
+const struct scene_mapping scene_surfaces_measured = {"measured", measured_keys, SCENE_COUNT(measured_keys),
+                                                      .needs = "file", .then = complete_measured};
+
 /* A column or two of them, x and z. */
 static bool read_columns(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
                          void *field)
@@ -149,15 +177,7 @@ static bool read_body(struct scene_source *source, const struct scene_key *key, 
         return true;
     bodies->counterface_kind = MATERIAL_COUNTERFACE_ELASTIC;
     bodies->counterface_same = scene_source_is(value, "same");
-    return bodies->counterface_same || read_material(source, &material, value, &bodies->counterface);
-}
-
-bool scene_surfaces_body(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
-                         void *field)
-{
-    struct scene_bodies *bodies = field;
-    bodies->material_given = true;
-    return read_material(source, key, value, &bodies->material);
+    return bodies->counterface_same || scene_surfaces_material(source, &material, value, &bodies->counterface);
 }
 
 #define AT(member) offsetof(struct scene_surface, member)
@@ -174,16 +194,15 @@ bool scene_surfaces_counterface(struct scene_source *source, const struct scene_
     };
     struct scene_surface *surface = &source->scene->counterface_surface;
     struct scene_bodies *bodies = field;
-    size_t lines[SCENE_COUNT(keys)];
     bool rough = false;
     if (value->type == YAML_MAPPING_NODE)
         for (const yaml_node_pair_t *p = value->data.mapping.pairs.start; p < value->data.mapping.pairs.top; p++)
             rough = rough || scene_source_is(yaml_document_get_node(&source->document, p->key), "surface");
     if (!rough)
         return read_body(source, key, value, field);
-    if (!scene_source_mapping(source, value, SCENE_MAPPING(key->name, keys), lines, surface))
+    if (!scene_source_mapping(source, value, SCENE_MAPPING(key->name, keys), surface))
         return false;
-    bool given = lines[1] > 0; /* else two rough bodies of one material */
+    const bool given = surface->bodies.counterface_given; /* else two rough bodies of one material */
     bodies->counterface_kind = given ? surface->bodies.counterface_kind : MATERIAL_COUNTERFACE_ELASTIC;
     bodies->counterface_same = !given || surface->bodies.counterface_same;
     bodies->counterface = surface->bodies.counterface;
@@ -193,19 +212,20 @@ bool scene_surfaces_counterface(struct scene_source *source, const struct scene_
     return surface->name || scene_source_memory(source);
 }
 
+static const struct scene_key vickers_keys[] = {
+    {"c1", NULL, SCENE_QUANTITY(offsetof(struct scene_bodies, hardness_Pa), UNIT_PRESSURE, 1e3, 1e12)},
+    {"c2", NULL, SCENE_NUMBER(offsetof(struct scene_bodies, hardness_exponent), -0.99, 0)},
+};
+const struct scene_mapping scene_surfaces_vickers = {"hardness", vickers_keys, SCENE_COUNT(vickers_keys),
+                                                     .needs = "c1, c2"};
+
 bool scene_surfaces_hardness(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
                              void *field)
 {
-    static const struct scene_key keys[] = {
-        {"c1", NULL, SCENE_QUANTITY(offsetof(struct scene_bodies, hardness_Pa), UNIT_PRESSURE, 1e3, 1e12)},
-        {"c2", NULL, SCENE_NUMBER(offsetof(struct scene_bodies, hardness_exponent), -0.99, 0)},
-    };
-    size_t lines[SCENE_COUNT(keys)];
     char text[64];
     yaml_node_t node = *value;
     if (value->type == YAML_MAPPING_NODE)
-        return scene_source_mapping(source, value, SCENE_MAPPING(key->name, keys), lines, field) &&
-               ((lines[0] && lines[1]) || scene_source_fail_at(source, value, "'%s' needs c1 and c2", key->name));
+        return scene_source_within(source, key, value, field);
     if (value->type == YAML_SCALAR_NODE && strncmp((const char *)value->data.scalar.value, "HV ", 3) == 0) {
         snprintf(text, sizeof text, "%.40s HV", (const char *)value->data.scalar.value + 3);
         node.data.scalar.value = (yaml_char_t *)text;
@@ -214,29 +234,24 @@ bool scene_surfaces_hardness(struct scene_source *source, const struct scene_key
     return scene_source_quantity(source, key, &node, &((struct scene_bodies *)field)->hardness_Pa);
 }
 
-static bool read_surface(struct scene_source *source, const yaml_node_t *node, struct scene_surface *surface)
+static const struct scene_key surface_keys[] = {
+    {"name", NULL, scene_source_text, .at = AT(name)},
+    {"file", NULL, scene_surfaces_files, .at = AT(files)},
+    {"along", NULL, scene_surfaces_files, .at = AT(along)},
+    {"lay", NULL, SCENE_NUMBER(AT(lay), 0.0, 1.0), .given = AT(lay_given), .excludes = "along"},
+    {"material", NULL, scene_surfaces_material, .at = AT(bodies.material), .given = AT(bodies.material_given)},
+    {"counterface", NULL, read_body, .at = AT(bodies)},
+    {"hardness", NULL, SCENE_HARDNESS(AT(bodies))},
+    {"x_unit", NULL, SCENE_SHORT_TEXT(AT(x_unit), UNIT_BYTES)},
+    {"z_unit", NULL, SCENE_SHORT_TEXT(AT(z_unit), UNIT_BYTES)},
+    {"column", NULL, read_columns, .at = 0},
+    {"measured", NULL, SCENE_MEASURED(AT(measured))},
+};
+
+static bool complete_surface(struct scene_source *source, const size_t *lines, size_t line, void *into)
 {
-    static const struct scene_key keys[] = {
-        {"name", NULL, scene_source_text, .at = AT(name)},
-        {"file", NULL, scene_surfaces_files, .at = AT(files)},
-        {"along", NULL, scene_surfaces_files, .at = AT(along)},
-        {"lay", NULL, SCENE_NUMBER(AT(lay), 0.0, 1.0)},
-        {"material", NULL, scene_surfaces_body, .at = AT(bodies)},
-        {"counterface", NULL, read_body, .at = AT(bodies)},
-        {"hardness", NULL, SCENE_HARDNESS(AT(bodies))},
-        {"x_unit", NULL, SCENE_SHORT_TEXT(AT(x_unit), UNIT_BYTES)},
-        {"z_unit", NULL, SCENE_SHORT_TEXT(AT(z_unit), UNIT_BYTES)},
-        {"column", NULL, read_columns, .at = 0},
-        {"measured", NULL, scene_keys_measured, .at = AT(measured)},
-    };
-    size_t lines[SCENE_COUNT(keys)];
-    if (!scene_source_mapping(source, node, SCENE_MAPPING("surfaces", keys), lines, surface))
-        return false;
-    if (surface->files.count == 0)
-        return scene_source_fail_at(source, node, "a surface has no 'file'; add one");
-    surface->lay_given = lines[3] > 0;
-    if (surface->lay_given && surface->along.count > 0)
-        return scene_source_fail(source, lines[3], "'lay' stands beside 'along', whose scans tell it; remove either");
+    struct scene_surface *surface = into;
+    (void)line;
     if (surface->name && strlen(surface->name) > limit_most(LIMIT_NAME_BYTES))
         return scene_source_fail(source, lines[0], "a name of %zu bytes%s", strlen(surface->name),
                                  limit_words(LIMIT_NAME_BYTES).text);
@@ -244,6 +259,9 @@ static bool read_surface(struct scene_source *source, const yaml_node_t *node, s
         surface->name = scene_files_name(surface->files.path[0], false);
     return surface->name || scene_source_memory(source);
 }
+
+const struct scene_mapping scene_surfaces_each = {"surfaces", surface_keys, SCENE_COUNT(surface_keys), .needs = "file",
+                                                  .then = complete_surface};
 
 static int compare_names(const void *a, const void *b)
 {
@@ -289,7 +307,7 @@ bool scene_surfaces_read(struct scene_source *source, const struct scene_key *ke
         return scene_source_memory(source);
     scene->surface_count = count;
     for (size_t i = 0; i < count; i++)
-        if (!read_surface(source, scene_source_item(source, value, i), &scene->surfaces[i]))
+        if (!scene_source_mapping(source, scene_source_item(source, value, i), key->within, &scene->surfaces[i]))
             return false;
     return check_names(source, scene, value);
 }

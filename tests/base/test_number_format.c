@@ -24,9 +24,11 @@ TEST_CASE(test_numbers)
         {0.0012345, 3, "0.00123"},
         {12.345, 3, "12.3"},
         {1234.5, 5, "1234.5"},
-        {1234.5, 2, "1234"}, /* digits before the point are never dropped */
+        {1234.5, 3, "1234"}, /* digits before the point are never dropped */
+        {1234.5, 2, "1200"}, /* but those that a wide interval has not, */
+        {12345, 2, "12000"},
         {9999, 4, "9999"},
-        {12345, 3, "1.23·10⁴"}, /* but in plain notation */
+        {12345, 3, "1.23·10⁴"}, /* and in powers of ten */
         {12345, 5, "12345"},
         {1.2e-5, 2, "1.2·10⁻⁵"},
         {100000, 3, "1.00·10⁵"},

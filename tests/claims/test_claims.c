@@ -28,8 +28,8 @@ static void read_rows(void)
     }
 }
 
-/** Scans of four surfaces, three of each, one whose ends are open, one that is refused, and three measurements: as the
- * model, of parts that are not flat, and with a resistance in series. */
+/** Scans of four surfaces, three of each, one whose ends are open, one that is refused, two with copies, and three
+ * measurements: as the model, of parts that are not flat, and with a resistance in series. */
 static void make_folder(const char *place)
 {
     static const struct {
@@ -48,6 +48,9 @@ static void make_folder(const char *place)
     workspace_shell(place, PROGRAM " synth --lambda-s 4um --seed 7 --alpha 0.06 --gamma 1.55 --length 1.6mm --points "
                                    "1600 -o w.csv; (head -n1 w.csv; tail -n 400 w.csv) > d/open.csv");
     workspace_write(place, "d/bad.csv", "x_um,z_um\n1,2\n");
+    workspace_shell(place,
+                    "cd d && mkdir two three && cp b-1.csv b-2.csv two && cp b-1.csv two/b-9.csv && cp two/* three "
+                    "&& cp b-1.csv three/b-8.csv");
     static const struct {
         const char *name;
         double power, series;

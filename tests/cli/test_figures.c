@@ -33,15 +33,20 @@ static void numbers_in(char *out, size_t size, const char *script)
 /** What the view says of a chart's caption is what its script draws. */
 static void expect_flags(const char *place, const char *out, const char *name, const json_t *figure)
 {
-    const bool surfaces = strcmp(name, "surfaces") == 0, direct = strcmp(name, "direct") == 0;
+    const bool surfaces = strcmp(name, "surfaces") == 0, direct = strcmp(name, "direct") == 0,
+               at_load = strcmp(name, "surfaces-at-load") == 0, rows = at_load || strcmp(name, "models") == 0;
     char *script = file_of(place, out, name, "gp"), numbers[64];
     const bool dotted = strstr(script, " lw 1.4 dt 3 ");
     const struct {
         const char *flag;
         bool drawn;
     } flags[] = {
-        {"band", strstr(script, "filledcurves") && !direct},
-        {"outside", strstr(script, " lw 1.2 dt 2 ")},
+        {"band", (strstr(script, "filledcurves") && !direct) || strstr(script, "with xerrorbars")},
+        {"outside", strstr(script, " lw 1.2 dt 2 ") || (rows && !at_load && strstr(script, " pt 6"))},
+        {"unadjusted", strstr(script, " lw 1.4 dt 4 ")},
+        {"measured", at_load && strstr(script, " pt 5")},
+        {"bound", at_load && strstr(script, " pt 6")},
+        {"limit", at_load && strstr(script, "set label 'limit ")},
         {"scale_dependent", dotted && (strstr(script, "'6-09 ") || strcmp(name, "tcr") == 0)},
         {"last_scale", dotted && strcmp(name, "ecr") == 0},
         {"law", strstr(script, " lw 2.4 ")},
@@ -95,7 +100,7 @@ TEST_IN_WORKSPACE(captions_say_what_is_drawn)
     expect_captions(place, PROJECT_SOURCE "/surfaces/chapter6", "tin");
     expect_in_file(place, "tin/report.md", "Figures 6\\-01 to 6-04. ", "Figures 6\\-05 to 6-09. ",
                    "Figures 6\\-11 to 6-14. ", "dashed outside", "dotted: TCR scale-dependent",
-                   "statistical gaps adjusted", "up to 99 % contact",
+                   "statistical gaps adjusted, dot-dash: not adjusted", "up to 99 % contact",
                    "TCR versus load, up to 99 % contact; dotted: scale-dependent.");
     /* no model leaves the axis of its ratio to the direct solution */
     struct table ratios = workspace_table(place, "tin/data/direct_ratio.csv");
@@ -174,6 +179,142 @@ TEST_IN_WORKSPACE(direct_solutions_are_of_their_surface)
         assert_int_equal(strstr(report, "pen squares: fewer than 200 points of the grid touch.") != NULL, some);
         assert_int_equal(strstr(report, "; open: fewer than 200 points of the grid touch.") != NULL, some);
     }
+}
+
+/** How often a part stands in a text. */
+static size_t times(const char *text, const char *part)
+{
+    size_t count = 0;
+    for (; (text = strstr(text, part)); text++)
+        count++;
+    return count;
+}
+
+/** The numbers of a chart's block, a row of four: of the `index`th. */
+static void block_numbers(double out[4], const char *data, int index)
+{
+    for (; index > 0; index--)
+        data = strstr(data, "\n\n\n") + 3;
+    assert_int_equal(sscanf(strchr(data, '\n'), "%lf,%lf,%lf,%lf", &out[0], &out[1], &out[2], &out[3]), 4);
+}
+
+/* One surface has no row; of several the best is on top, as the answers and their intervals are in results; what was
+ * measured is a square, a limit a line; of more than twenty the ten at either end are drawn. */
+TEST_IN_WORKSPACE(surfaces_stand_in_rows)
+{
+    static const char scene[] =
+        "material: tin\nnominal_area: 1 mm2\nmodels: [strip-plastic]\n"
+        "load: {from: 0.1 N, to: 10 N, points: 9}\noperating_load: 1 N\ntargets: [{ecr: 5 mohm}]\n";
+    workspace_scan(place, "d/s01.csv", 400, 1);
+    workspace_write(place, "d/scene.yaml", scene);
+    run_to_exit(place, 0, "report", "d", "-o", "out", "--no-cost", "--brief");
+    assert_false(workspace_has(place, "out/figures/surfaces-at-load.svg"));
+    expect_not_in_file(place, "out/report.md", "Each surface at the operating load", "models.svg");
+    for (int k = 2; k <= 23; k++)
+        workspace_scan(place, filled("d/s%02d.csv", k), 400, (unsigned)k);
+    run_to_exit(place, 0, "report", "d", "-o", "out", "--no-cost");
+    char *script = file_of(place, "out", "surfaces-at-load", "gp"),
+         *data = file_of(place, "out", "surfaces-at-load", "csv");
+    assert_int_equal(times(script, "with xerrorbars"), 20);
+    expect_parts(script, "'… 3 others'", "set logscale x", "contact resistance at the operating load (mΩ)");
+    expect_no_parts(script, "'limit ", " pt 5", " pt 6");
+    struct table contact = workspace_table(place, "out/data/contact.csv");
+    double best = INFINITY, worst = 0, row[4], before = 0;
+    for (size_t r = 0; r < contact.rows; r++) {
+        double ecr = table_number(&contact, r, "ecr_ohm_m2");
+        if (fabs(table_number(&contact, r, "pressure_Pa") / 1e6 - 1) < 1e-6) {
+            best = fmin(best, ecr);
+            worst = fmax(worst, ecr);
+        }
+    }
+    for (int k = 0; k < 20; k++) {
+        block_numbers(row, data, k);
+        assert_true(before <= row[0] && row[2] < row[0] && row[0] < row[3] && row[1] == 21 - k - (k >= 10));
+        before = row[0];
+        if (k % 19 == 0)
+            assert_true(fabs(row[0] * 1e-9 / (k ? worst : best) - 1) < 1e-5);
+    }
+    expect_in_file(place, "out/report.md", "![Each surface at the operating load, with its 95 % interval.](");
+    /* the measured one, and a limit on what is asked */
+    workspace_write(place, "d/ecr.txt", "F (N);R (mohm)\n0.5;9\n1;5\n2;3\n");
+    workspace_write(
+        place, "d/scene.yaml",
+        filled("%slimits: {ecr: {most: 7 mohm}, area: {least: 1e-3}}\nsurfaces:\n  - {name: a, file: s01.csv, "
+               "measured: {file: ecr.txt, quantity: ecr}}\n  - {name: b, file: s02.csv}\n",
+               scene));
+    run_to_exit(place, 0, "report", "d", "-o", "out", "--no-cost");
+    script = file_of(place, "out", "surfaces-at-load", "gp");
+    assert_int_equal(times(script, " pt 5"), 1);
+    assert_int_equal(times(script, "set label 'limit "), 1);
+    expect_parts(script, "'limit 7\u00a0mΩ' at 7,");
+    data = file_of(place, "out", "surfaces-at-load", "csv");
+    block_numbers(row, data, strstr(script, " pt 5") < strstr(script, " pt 7") ? 0 : 1);
+    assert_true(fabs(row[0] - 5) < 1e-6);
+    expect_in_file(place, "out/report.md", "interval; square: measured; line: the limit.](");
+}
+
+/* Each model has its interval, and is hollow where it is outside its range: CMY beyond P/H = 0.1. */
+TEST_IN_WORKSPACE(models_have_intervals_and_ranges)
+{
+    workspace_scan(place, "d/a.csv", 400, 3);
+    for (int outside = 0; outside < 2; outside++) {
+        workspace_write(place, "d/scene.yaml",
+                        filled("material: tin\nload: {from: 0.1 MPa, to: 30 MPa, points: 9}\noperating_load: %s\n",
+                               outside ? "8 MPa" : "1 MPa"));
+        run_to_exit(place, 0, "report", "d", "-o", "out", "--no-cost");
+        char *script = file_of(place, "out", "models", "gp"), *report = workspace_read(place, "out/report.md");
+        const char *section = strstr(report, "## One surface, every model"),
+                   *chart = strstr(report, "(figures/models.svg)");
+        assert_true(section && chart > section);
+        assert_int_equal(times(script, "with xerrorbars"), 9);
+        assert_int_equal(times(script, " pt 6") > 0, outside);
+        assert_int_equal(strstr(report, "hollow: outside the model's range of validity") != NULL, outside);
+        assert_int_equal(times(script, " pt 6"), times(report, "](#methods-and-sources) †"));
+    }
+}
+
+/* Where a gap is adjusted, the chart has it as it is too, or beta cannot be seen. */
+TEST_IN_WORKSPACE(gaps_stand_adjusted_and_not)
+{
+    workspace_scan(place, "d/a.csv", 400, 3);
+    workspace_scan(place, "d/b.csv", 400, 4);
+    for (int statistical = 0; statistical < 2; statistical++) {
+        workspace_write(place, "d/scene.yaml",
+                        filled("material: tin\nmodels: [%smultiscale]\neffects: [plasticity, separation]\n",
+                               statistical ? "jg, " : ""));
+        run_to_exit(place, 0, "report", "d", "-o", "out", "--no-cost");
+        char *script = file_of(place, "out", "one-surface", "gp"), *data = file_of(place, "out", "one-surface", "csv");
+        assert_int_equal(times(script, " lw 1.4 dt 4 "), statistical ? 2 : 0);
+        assert_int_equal(times(file_of(place, "out", "separation-load", "gp"), " lw 1.4 dt 4 "), statistical ? 2 : 0);
+        char *report = workspace_read(place, "out/report.md");
+        assert_int_equal(times(report, "dot-dash: not adjusted"), statistical ? 3 : 0);
+        assert_int_equal(strstr(report, "| β of JG, full contact | β of JG, multiscale elastic-plastic |") != NULL,
+                         statistical);
+        struct table contact = workspace_table(place, "out/data/contact.csv");
+        for (size_t r = 0; r < contact.rows && statistical; r++)
+            if (strcmp(table_text(&contact, r, "model"), "jg") == 0 &&
+                strcmp(table_text(&contact, r, "surface"), "b") == 0) {
+                static const char *const columns[] = {"separation_over_sigma", "adjusted_separation_over_sigma"};
+                for (int c = 0; c < 2; c++)
+                    expect_part(data, filled("%.9g,%.9g\n", table_number(&contact, r, "load_over_AnEp"),
+                                             table_number(&contact, r, columns[c])));
+                break;
+            }
+    }
+}
+
+/* The factor of the table is the one of the chart; no time is below 0. */
+TEST_IN_WORKSPACE(accuracy_is_a_factor)
+{
+    run_to_exit(place, 0, "report", PROJECT_SOURCE "/surfaces/thermal-interface", "-o", "out");
+    char *report = workspace_read(place, "out/report.md"), *data = file_of(place, "out", "accuracy", "csv");
+    const char *row = strstr(report, "| CMY | ×÷ "), *block = strstr(data, "# CMY\n");
+    double seconds, factor;
+    assert_true(row && block);
+    assert_int_equal(sscanf(block, "# CMY\n%lf,%lf", &seconds, &factor), 2);
+    assert_true(fabs(factor / strtod(row + strlen("| CMY | ×÷ "), NULL) - 1) < 0.06);
+    expect_no_parts(report, "takes −", "takes -");
+    expect_part(file_of(place, "out", "accuracy", "gp"), "95 % error of conductance (×÷)");
 }
 
 /* What a contact is heated by comes to a few units in the last place of its temperature. */
@@ -259,24 +400,26 @@ TEST_IN_WORKSPACE(a_temperature_that_hardly_changes)
     }
 }
 
-/* At 400 px every chart is whole, and nothing makes the page wider than its window. */
-/* No chart is cut at 400 px, no table, not even 6.2 with its bands, at 1400 px. */
+/* At 400 px the table's surface, answer and value are seen. No chart is cut at 400 px, no table, not even 6.2 with its
+ * bands, at 1400 px. */
 TEST_IN_WORKSPACE(charts_and_tables_are_whole)
 {
     char program[4096], frame[4300];
     if (!program_find(program, sizeof program, "chromium"))
         skip();
     run_to_exit(place, 0, "report", PROJECT_SOURCE "/surfaces/connector", "-o", "out", "--no-cost");
-    workspace_write(place, "frame.html",
-                    "<iframe id=f src=out/report.html width=400 height=800 style=border:0></iframe>\n"
-                    "<iframe id=d src=out/report.html width=1400 height=800 style=border:0></iframe><script>\n"
-                    "onload = () => { const tables = [...d.contentDocument.querySelectorAll('.table')];\n"
-                    "const wide = tables.filter(one => one.scrollWidth > one.clientWidth).length; const page = "
-                    "f.contentDocument, figures = [...page.querySelectorAll('figure')];\n"
-                    "const cut = figures.filter(one => one.scrollWidth > one.clientWidth).length;\n"
-                    "document.title = `${figures.length} charts, ${cut} cut, page ${page.documentElement.scrollWidth}`"
-                    " + (tables.length > 4 ? `, ${wide} tables cut` : '');\n"
-                    "};</script>\n");
+    workspace_write(
+        place, "frame.html",
+        "<iframe id=f src=out/report.html width=400 height=800 style=border:0></iframe>\n"
+        "<iframe id=d src=out/report.html width=1400 height=800 style=border:0></iframe><script>\n"
+        "onload = () => { const tables = [...d.contentDocument.querySelectorAll('.table')];\n"
+        "const wide = tables.filter(one => one.scrollWidth > one.clientWidth).length; const page = "
+        "f.contentDocument, figures = [...page.querySelectorAll('figure')];\n"
+        "const cut = figures.filter(one => one.scrollWidth > one.clientWidth).length;\n"
+        "document.title = `${figures.length} charts, ${cut} cut, page ${page.documentElement.scrollWidth}, `"
+        "+ `answer ${page.querySelector('th:nth-child(3)').getBoundingClientRect().right <= 400}`"
+        " + (tables.length > 4 ? `, ${wide} tables cut` : '');\n"
+        "};</script>\n");
     snprintf(frame, sizeof frame, "file://%s/frame.html", place);
     const char *const dump[] = {"chromium",
                                 "--headless",
@@ -288,5 +431,5 @@ TEST_IN_WORKSPACE(charts_and_tables_are_whole)
                                 frame,
                                 NULL};
     struct process shown = process_end(process_start_list(place, dump, NULL));
-    expect_output(shown, " charts, 0 cut, page 400, 0 tables cut</title>");
+    expect_output(shown, " charts, 0 cut, page 400, answer true, 0 tables cut</title>");
 }

@@ -104,6 +104,26 @@ static void add_values(struct text *out, const struct scene_key *key)
     }
 }
 
+/** What a key, or one of those within it, asks of the others. */
+static void add_rules(struct text *out, const char *of, const struct scene_key *key)
+{
+    const struct {
+        const char *verb, *list;
+    } rules[] = {{"needs", key->needs}, {"excludes", key->excludes}, {"is above", key->above}};
+    for (size_t r = 0; r < sizeof rules / sizeof *rules; r++)
+        if (rules[r].list)
+            text_add(out, "; %s%s%s %s", of, *of ? " " : "", rules[r].verb, rules[r].list);
+    if (!key->within)
+        return;
+    if (key->within->needs)
+        text_add(out, "; its mapping needs %s", key->within->needs);
+    if (key->within->one_of)
+        text_add(out, "; its mapping has one of %s", key->within->one_of);
+    for (size_t k = 0; k < key->within->count; k++)
+        if (!key->within->keys[k].within)
+            add_rules(out, key->within->keys[k].name, &key->within->keys[k]);
+}
+
 /** As roff, or in a cell of Markdown, has it. */
 static void add_escaped(struct text *out, const char *string, bool roff)
 {
@@ -134,17 +154,20 @@ TEST_CASE(documents_are_made_of_the_keys)
 {
     struct text page = {0}, manual = {0};
     for (size_t k = 0; k < scene_key_count; k++) {
-        struct text *values = support_text();
+        struct text *values = support_text(), *rules = support_text();
         add_values(values, &scene_keys[k]);
+        add_rules(rules, "", &scene_keys[k]);
         text_add(&page, "| `%s` | ", scene_keys[k].name);
         add_escaped(&page, text_string(values), false);
         text_add(&page, "%s| ", values->length > 0 ? " " : "");
         add_escaped(&page, scene_keys[k].text, false);
+        add_escaped(&page, text_string(rules), false);
         text_add(&page, " |\n");
         text_add(&manual, "\\fB%s\\fR%s", scene_keys[k].name, values->length > 0 ? ": " : "");
         add_escaped(&manual, text_string(values), true);
         text_add(&manual, "\n");
         add_escaped(&manual, scene_keys[k].text, true);
+        add_escaped(&manual, text_string(rules), true);
         text_add(&manual, "\n%s", k + 1 < scene_key_count ? ".TP\n" : "");
     }
     struct scene scene = {0};

@@ -2,7 +2,7 @@
 /* Folders of made-up scans and scenes, unlike in every way, from fixed seeds: the program ends with 0, 1 or 4, blames
  * itself for nothing, and what it writes holds numbers alone. Each value of each key is in one of them for sure, among
  * others by chance. ROUGHCONTACT_WILD=10000 makes as many,
- * ROUGHCONTACT_WILD_FIRST=17 begins with that seed. */
+ * ROUGHCONTACT_WILD_FIRST=17 begins with that seed, ROUGHCONTACT_WILD_EVERY=3 takes each third. */
 #include "cli/process.h"
 #include "hard_case.h"
 #include "scene/scene_source.h"
@@ -164,7 +164,8 @@ static size_t number_of(const char *name, size_t usual)
 TEST_WITH(folders_are_reported_or_refused, directory_setup, directory_teardown)
 {
     size_t first = number_of("ROUGHCONTACT_WILD_FIRST", 1), count = number_of("ROUGHCONTACT_WILD", 2 * wild_values());
-    for (size_t seed = first; seed < first + count; seed++) {
+    size_t every = number_of("ROUGHCONTACT_WILD_EVERY", 1);
+    for (size_t seed = first; seed < first + count; seed += every) {
         expect_reported_or_refused(*state, seed);
         assert_true(directory_teardown(state) == 0 &&
                     directory_setup(state) == 0); /* the next begins with an empty one */

@@ -30,7 +30,7 @@ TEST_CASE(test_rows_are_whole)
     for (size_t m = 0; m < model_count; m++) {
         const struct model_row *row = model_rows[m];
         const char *const texts[] = {row->name,   row->label,   row->family, row->colour, row->equations,
-                                     row->source, row->assumes, row->valid,  row->method};
+                                     row->source, row->assumes, row->valid,  row->method, row->does};
         for (size_t t = 0; t < sizeof texts / sizeof *texts; t++)
             if (!texts[t] || !texts[t][0])
                 fail_msg("row %zu of the models, '%s', leaves text %zu out", m, row->name ? row->name : "", t);

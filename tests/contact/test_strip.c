@@ -92,7 +92,7 @@ TEST_CASE(heights_tell)
     at = strip_ratio_at(&strip, 0.1);
     assert_true(fabs(at.load) > 1e-3 && fabs(at.load) < 0.5);
     strip = solved(&alone, 1);
-    uint64_t seeds[] = {1};
+    uint64_t seeds[] = {5};
     alone.seed = seeds;
     again = solved(&alone, 1);
     assert_memory_equal(&strip.own, &again.own, sizeof strip.own);

@@ -80,7 +80,8 @@ TEST_CASE(headings_and_contents)
     static const char contents[] = "<ul>\n<li><a href=\"#section-2\">One part</a></li>\n"
                                    "<li><a href=\"#section-4\">Två γ_1</a></li>\n</ul>";
     assert_int_equal(count(text, contents), 2); /* beside the text, and above it on narrow screens */
-    expect_parts(text, "<h1 id=\"section-1\">Report</h1>", "<h2 id=\"section-2\">One <em>part</em></h2>",
+    expect_parts(text, "<h1 id=\"section-1\">Report</h1>",
+                 "<h2 id=\"section-2\">One <em>part</em><a id=\"one-part\"></a></h2>",
                  "<h3 id=\"section-3\">A &amp; B: <code>x&lt;y&gt;</code></h3>");
     text_free(&page);
 }
@@ -169,7 +170,7 @@ TEST_CASE(blocks)
     assert_body("7) a\n\n8) b\n", "<ol start=\"7\">\n<li><p>a</p>\n</li>\n<li><p>b</p>\n</li>\n</ol>\n");
     assert_body("> a\n\n---\n", "<blockquote>\n<p>a</p>\n</blockquote>\n<hr>\n");
     assert_body("```x\na < b\n\nc\n```\n", "<pre><code>a &lt; b\n\nc\n</code></pre>\n");
-    assert_body("![a](figures/chart.svg)\n\n## b\n", "</figure>\n<h2 id=\"section-1\">b</h2>\n");
+    assert_body("![a](figures/chart.svg)\n\n## b\n", "</figure>\n<h2 id=\"section-1\">b<a id=\"b\"></a></h2>\n");
 }
 
 TEST_CASE(links)
@@ -208,11 +209,13 @@ TEST_CASE(folded_sections)
     struct text page = rendered("# R\n\n## One\n\na\n\n# Rest\n\nb\n\n## Two\n\n![C](figures/chart.svg)\n\n## Three\n\n"
                                 "### Four\n\nc\n");
     const char *body = body_of(&page);
-    expect_parts(body,
-                 "<h2 id=\"section-2\">One</h2>\n<p>a</p>\n<h1 id=\"section-3\">Rest</h1>\n<p>b</p>\n"
-                 "<details class=\"folded\"><summary><h2 id=\"section-4\">Two</h2></summary>\n<figure>",
-                 "</figure>\n</details>\n<details class=\"folded\"><summary><h2 id=\"section-5\">",
-                 "<h3 id=\"section-6\">Four</h3>\n<p>c</p>\n</details>\n</main>");
+    expect_parts(
+        body,
+        "<h2 id=\"section-2\">One<a id=\"one\"></a></h2>\n<p>a</p>\n<h1 id=\"section-3\">Rest<a "
+        "id=\"rest\"></a></h1>\n<p>b</p>\n"
+        "<details class=\"folded\"><summary><h2 id=\"section-4\">Two<a id=\"two\"></a></h2></summary>\n<figure>",
+        "</figure>\n</details>\n<details class=\"folded\"><summary><h2 id=\"section-5\">",
+        "<h3 id=\"section-6\">Four</h3>\n<p>c</p>\n</details>\n</main>");
     assert_non_null(strstr(text_string(&page),
                            "<li><a href=\"#section-3\">Rest</a></li>\n<li><a href=\"#section-4\">Two</a></li>"));
     text_free(&page);

@@ -66,6 +66,7 @@ static const struct model_row numeric_stack = {
     .quantities = QUANTITY_BIT(QUANTITY_MEAN_GAP) - 1, /* which is made of its separation */
     .colour = "#2E8B57",
     .marker = 8,
+    .does = "says what it says",
     .equations = "none",
     .source = "source of the numeric stack",
     .assumes = "what the stack assumes",
@@ -82,6 +83,7 @@ static const struct model_row area_alone = {
     .quantities = QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA),
     .colour = "#8B2E57",
     .marker = 9,
+    .does = "says what it says",
     .equations = "none",
     .source = "source of the area alone",
     .assumes = "what the area assumes",
@@ -282,10 +284,12 @@ TEST_CASE(test_the_report)
     char *text = directory_read(&whole, "out/report.md");
     const char *md = text;
     const char *baseline = section(md, "## One surface, every model");
-    expect_parts(baseline, "| numeric stack");
-    assert_row(baseline, "| area alone ", 6);
-    expect_parts(section(md, "## All surfaces"),
-                 " numeric stack | multiscale |"); /* its beta stands beside the others' */
+    expect_parts(baseline, "| [numeric stack](#methods-and-sources)");
+    assert_row(baseline, "| [area alone](#methods-and-sources) ", 6);
+    expect_parts(
+        section(md, "## All surfaces"),
+        "| β of numeric stack, full contact | β of numeric stack, multiscale elastic |"); /* its beta stands beside the
+                                                                                             others' */
     expect_no_parts(section(md, "## All surfaces"), "area alone |");
     expect_parts(section(md, "## The findings"), "numeric stack ");
     const char *measured = section(md, "## Measured");
@@ -310,10 +314,9 @@ TEST_IN_DIRECTORY(test_the_area_alone)
                                            "material: tin\n" LOADS SURFACES "models: [area-alone]\n"
                                            "effects: [separation, electrical, thermal, scale-dependent]\n",
                                            true);
-    expect_in_file(place, "out/report.md", "the leading model is area alone.", "| model | area (%) |\n",
-                   "it is undecided whether surfaces differ significantly"); /* two have one scan */
-    expect_not_in_file(place, "out/report.md", "significantly better", "ECR·Aₙ", "### Separation",
-                       "multiscale elastic");
+    expect_in_file(place, "out/report.md", "the leading model is area alone.", "| model | area (%) |\n");
+    expect_not_in_file(place, "out/report.md", "significantly better", /* two have one scan */
+                       "ECR·Aₙ", "### Separation", "multiscale elastic");
     expect_parts(text_string(&outcome.table), "contact area");
     assert_true(directory_has(place, "out/figures/area.svg"));
     assert_false(directory_has(place, "out/figures/ecr.svg"));

@@ -3,9 +3,7 @@
 #include "scene/scene_words.h"
 #include "scene_directory.h"
 
-#define ONE_WAY                                                                                                        \
-    "'shape' is given in one way: {flatness: 5 um, over: 20 mm}, {crown: 2 m}, {height: FILE}, {pressure: FILE} or "   \
-    "{bolts: [[10 mm, 10 mm]], ...}"
+#define WAYS "'flatness', 'crown', 'height', 'pressure' or 'bolts'; give one"
 
 struct wrong {
     const char *text;     /* of scene.yaml */
@@ -46,11 +44,10 @@ static const struct wrong rows[] = {
     {"tolerance: 0.11\n", 1, "'tolerance' is 0.11; allowed is 1e-14 to 0.1"},
     {"%YAML 1.1\n---\ntitle: x\n", 1, "a directive of YAML (%); a scene needs none, remove it"},
     {"title: x\n...\n%TAG ! tag:x\n---\ntitle: x\n", 3, "a directive of YAML (%); a scene needs none, remove it"},
-    {"lambda_c_m: 8e-6\nlambda_s_m: 8e-6\n", 1,
-     "'lambda_c' is 8e-06 m, not above 'lambda_s', 8e-06 m; nothing would be left between them"},
+    {"lambda_c_m: 8e-6\nlambda_s_m: 8e-6\n", 1, "'lambda_c' is 8e-06 m, not above 'lambda_s', 8e-06 m; correct either"},
     {"nominal_area_m2: 1e999\n", 1, "'nominal_area_m2' is 1e999; allowed is 1e-18 to 1e+06 m2"},
     {"convergence: {scales: 1.5}\n", 1, "'scales' is '1.5'; give a whole number"},
-    {"fit_band_m: [1e-5]\n", 1, "'fit_band_m' is a list; give two wavelengths [shortest, longest] in m"},
+    {"fit_band_m: [1e-5]\n", 1, "'fit_band_m' is a list; give two lengths, as [20 mm, 10 mm]"},
     {"fit_band_m:\n- 3e-4\n- 8e-6\n", 2, "'fit_band_m' is [0.0003, 8e-06]; give the shorter wavelength first"},
     /* Words. */
     {"level: lines\n", 1, "unknown level 'lines'; did you mean 'line'?"},
@@ -70,12 +67,12 @@ static const struct wrong rows[] = {
     {"load: {unit: bar}\n", 1, "'load' is a pressure, of which there is no default; give 'from' and 'to'"},
     {"load: {values: []}\n", 1, "'values' holds 0 loads; allowed is 1 to 100000"},
     {"load:\n  values:\n  - 1e-3\n  - -1e-3\n", 4, "'values' is -1e-3; allowed is 1e-100 to 1e+100"},
-    {"load:\n  values: [1e-3]\n  points: 7\n", 2, "'load' has 'values' and also from, to or points; remove either"},
+    {"load:\n  values: [1e-3]\n  points: 7\n", 2, "'values' stands beside 'points'; remove either"},
     /* Materials. */
     {"material: tim\n", 1, "unknown material 'tim'; did you mean 'tin'?"},
     {"title: a\ncounterface: unobtainium\n", 2, "unknown counterface 'unobtainium'; allowed: rigid, same, tin, ..."},
     {"material: rigid\n", 1, "unknown material 'rigid'; allowed: tin, copper, ..."},
-    {"title: a\nmaterial:\n  E_Pa: 1e9\n", 3, "'material' has no 'nu'; add it"},
+    {"title: a\nmaterial:\n  E_Pa: 1e9\n", 3, "'material' needs 'nu'; add it, or leave 'material' out"},
     {"material:\n  E_Pa: 70e9\n  name: 0123456789012345678901234567890123456789012345678901234567890123\n", 3,
      "'name' is longer than 63 bytes; shorten it"},
     /* Effects that lack a property. */
@@ -85,7 +82,7 @@ static const struct wrong rows[] = {
     /* Effects that a key calls for, and what such a key may say. */
     {"material: tin\neffects: [separation, gap]\n", 2,
      "effect 'gap' needs 'gap'; add that key or leave the effect out"},
-    {"material: tin\ncurrent: 5 A\n", 2, "'current' flows through which area? add 'nominal_area'"},
+    {"material: tin\ncurrent: 5 A\n", 2, "'current' needs 'nominal_area'; add it, or leave 'current' out"},
     {"effects: [electrical]\nfilm: 0\nmaterial: {E_Pa: 70e9, nu: 0.3, resistivity_ohm_m: 1e-7}\n"
      "gap: {gas: air}\n",
      1, "effect 'thermal' needs 'conductivity'; add it to 'material' or leave the effect out"},
@@ -103,29 +100,32 @@ static const struct wrong rows[] = {
      "krypton at 119 K: known as a gas at 1 atm from 121 to 600 K; correct 'temperature'"},
     {"gap: {temperature: 601 K}\n", 1,
      "air at 601 K: known as a gas at 1 atm from 100 to 600 K; correct 'temperature'"},
-    {"gap: {liquid: oil, gas: air}\n", 1, "a liquid stands alone, beside 'temperature'; remove the others"},
-    {"gap: {liquid: oil, filler: pad}\n", 1, "a liquid stands alone, beside 'temperature'; remove the others"},
-    {"gap: {conductivity: 0.8 W/m/K,\n gas: air}\n", 1, "a filler stands beside a gas; remove either"},
-    {"\ngap: {filler: pad, pressure: 1 atm}\n", 2, "a filler stands beside a gas; remove either"},
+    {"gap: {liquid: oil, gas: air}\n", 1, "'liquid' stands beside 'gas'; remove either"},
+    {"gap: {liquid: oil, filler: pad}\n", 1, "'liquid' stands beside 'filler'; remove either"},
+    {"gap: {conductivity: 0.8 W/m/K,\n gas: air}\n", 1, "'conductivity' stands beside 'gas'; remove either"},
+    {"\ngap: {filler: pad, pressure: 1 atm}\n", 2, "'filler' stands beside 'pressure'; remove either"},
     {"gap: {filler: jam}\n", 1,
      "unknown filler 'jam'; allowed: none, silicone grease, filled grease, pad, gallium alloy"},
-    {"gap: {bond_line: 20 um}\n", 1, "'bond_line' is of which filler? add 'filler' or 'conductivity'"},
+    {"gap: {bond_line: 20 um}\n", 1, "'bond_line' needs 'conductivity' or 'filler'; add one, or leave 'bond_line' out"},
     {"plating: {thickness: 1 um, metal: chrome}\n", 1,
      "unknown metal 'chrome'; allowed: none, hard gold, soft gold, tin, silver, nickel"},
-    {"plating: {thickness: 1 um, metal: none}\n", 1, "'plating' has no 'resistivity'; add it"},
-    {"hardness: {c1: 3 GPa}\n", 1, "'hardness' needs c1 and c2"},
+    {"plating: {thickness: 1 um, metal: none}\n", 1,
+     "'plating' needs 'resistivity' or 'metal'; add one, or leave 'plating' out"},
+    {"hardness: {c1: 3 GPa}\n", 1, "'hardness' needs 'c2'; add it, or leave 'hardness' out"},
     {"hardness: {c1: 3 GPa, c2: 0.2}\n", 1, "'c2' is 0.2; allowed is -0.99 to 0"},
     {"hardness: HV hard\n", 1,
      "'hardness' is 'hard HV'; give a number in Pa or one with its unit: Pa, kPa, MPa, GPa, N/mm2, bar, psi, atm"},
     {"material: tin\nshape: {crown: 2 m}\n", 2, "'shape' is of which area? add 'nominal_area', or 'size' to it"},
     {"material: tin\nnominal_area: 1 mm2\nshape: {crown: 2 m, size: [2 mm, 1 mm]}\n", 3,
      "'size' is 2e-06 m2 and 'nominal_area' 1e-06 m2; correct either"},
-    {"shape: {flatness: 5 um}\n", 1, ONE_WAY},
-    {"shape: {flatness: 5 um, over: 20 mm, crown: 2 m}\n", 1, ONE_WAY},
-    {"shape: {size: [1 mm, 2 mm]}\n", 1, ONE_WAY},
-    {"shape: {flatness: 5 um, over: 1 um}\n", 1, "'over' is 1e-06 m, less than 'flatness'; give the length it is over"},
+    {"shape: {flatness: 5 um}\n", 1, "'flatness' needs 'over'; add it, or leave 'flatness' out"},
+    {"shape: {flatness: 5 um, over: 20 mm, crown: 2 m}\n", 1, "'shape' has several of " WAYS},
+    {"shape: {crown: 2 m,\n scale: true}\n", 2, "'scale' needs 'pressure' or 'bolts'; add one, or leave 'scale' out"},
+    {"shape: {size: [1 mm, 2 mm]}\n", 1, "'shape' has none of " WAYS},
+    {"shape: {flatness: 5 um, over: 1 um}\n", 1, "'over' is 1e-06 m, not above 'flatness', 5e-06 m; correct either"},
     {"shape: {crown: 2 m, size: 2 mm}\n", 1, "'size' is '2 mm'; give two lengths, as [20 mm, 10 mm]"},
-    {"title: a\nplating: {thickness: 1 um}\n", 2, "'plating' has no 'resistivity'; add it"},
+    {"title: a\nplating: {thickness: 1 um}\n", 2,
+     "'plating' needs 'resistivity' or 'metal'; add one, or leave 'plating' out"},
     /* Every key with a dimension takes its unit, and no other; it goes by one name. */
     {"nominal_area: 0 mm2\n", 1, "'nominal_area' is 0 mm2; allowed is 1e-18 to 1e+06 m2"},
     {"nominal_area_m2: 1e-6\nnominal_area: 1 mm2\n", 2, "'nominal_area' is given twice, first in line 1; remove one"},
@@ -157,7 +157,7 @@ static const struct wrong rows[] = {
      "effect 'electrical' needs a material; add 'material' or leave the effect out"},
     {"\ncounterface: copper\n", 2,
      "'counterface' is 'copper', but no material is given to press it on; add 'material'"},
-    {"\nhardness: 40 MPa\n", 2, "'hardness' stands without a material; add 'material'"},
+    {"\nhardness: 40 MPa\n", 2, "'hardness' needs 'material'; add it, or leave 'hardness' out"},
     {"\nmaterial: galinstan\n", 2, "'material' is 'galinstan', which bears no load; give the material of a body"},
     {"\nmaterial: nickel\nmean_free_path: electron\n", 3,
      "'mean_free_path' is 'electron', which is not known of 'nickel'; give the material's own, such as 40 nm"},
@@ -170,11 +170,10 @@ static const struct wrong rows[] = {
     /* Surfaces. */
     {"surfaces:\n  - {file: a.csv, along: c.csv}\n", 2,
      "cannot find surface file 'c.csv': No such file or directory; paths start at the scene's directory"},
-    {"surfaces:\n  - {file: a.csv, along: b.csv,\n     lay: 0}\n", 3,
-     "'lay' stands beside 'along', whose scans tell it; remove either"},
+    {"surfaces:\n  - {file: a.csv, along: b.csv,\n     lay: 0}\n", 3, "'lay' stands beside 'along'; remove either"},
     {"surfaces: a.csv\n", 1, "'surfaces' is 'a.csv'; give a list of '- {name: ..., file: ...}'"},
     {"surfaces: []\n", 1, "'surfaces' lists none; remove it to report every file of the directory"},
-    {"surfaces:\n  - {file: a.csv}\n  - {name: b}\n", 3, "a surface has no 'file'; add one"},
+    {"surfaces:\n  - {file: a.csv}\n  - {name: b}\n", 3, "'surfaces' needs 'file'; add it, or leave 'surfaces' out"},
     {"surfaces:\n  - {file: []}\n", 2, "'file' lists none; name one or more scans"},
     {"surfaces:\n  - {file: {a: b}}\n", 2, "'file' is a mapping; give text"},
     {"surfaces:\n  - file:\n    - a.csv\n    - c.csv\n", 4,
@@ -200,7 +199,7 @@ static const struct wrong rows[] = {
     {"material: {E: 41 GPa, nu: 0.36}\ntargets: [{conductance: 1e4}]\n", 2,
      "'conductance' needs 'conductivity'; add it to 'material' or leave 'conductance' out"},
     {"limits: {}\n", 1, "'limits' names none; remove the line, or give one such as ecr: {most: 2 mohm}"},
-    {"limits:\n  area: {}\n", 2, "'area' has no limit; give 'most' or 'least'"},
+    {"limits:\n  area: {}\n", 2, "'area' needs 'most' or 'least'; add one, or leave 'area' out"},
     {"limits:\n  area: {max: 1}\n", 2, "unknown key 'max'; allowed: most, least"},
     {"limits:\n  ecr:\n    most: 2 mohm\nmaterial: tin\n", 3,
      "'ecr' is a resistance, but on which area? add 'nominal_area', or give it times an area (ohm m2)"},

@@ -69,10 +69,11 @@ static double simpson(struct integral *of, double intervals, uint64_t *evaluatio
 static double panels(struct integral *of, double tolerance, uint64_t *evaluations)
 {
     const struct statistical *model = of->model;
+    const struct quadrature_law law = {&model->asperity, model->law, model->surface.sigma_s_m, 0};
     struct quadrature laid;
     struct quadrature_sums sums;
     struct status status = {0};
-    coverage_must(quadrature_make(&laid, model, model->full_d, tolerance, &status), &status);
+    coverage_must(quadrature_make(&laid, &law, model->full_d, tolerance, &status), &status);
     *evaluations = laid.count;
     quadrature_sum(&sums, &laid, of->d);
     quadrature_free(&laid);
