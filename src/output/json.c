@@ -510,8 +510,7 @@ static json_t *claims_json(const json_t *claims)
 {
     json_t *out = json_deep_copy(claims), *claim;
     size_t i;
-    json_array_foreach(out, i, claim)
-        json_object_del(claim, "markdown");
+    json_array_foreach(out, i, claim) json_object_del(claim, "markdown");
     return out;
 }
 
@@ -529,7 +528,8 @@ enum status_code json_write(const struct results *results, const struct comparis
               print(file, ",\n\"version\": ", json_string(version_string())) &&
               print(file, ",\n\"scene\": ", scene_json(results)) &&
               print(file, ",\n\"leading\": ", json_string(model_rows[plan_leading_model(results->plan)]->name)) &&
-              print(file, ",\n\"claims\": ", claims_json(claims)) && print_surfaces(file, results, status) && print(file, ",\n\"refused\": ", refused_json(results)) &&
+              print(file, ",\n\"claims\": ", claims_json(claims)) && print_surfaces(file, results, status) &&
+              print(file, ",\n\"refused\": ", refused_json(results)) &&
               print(file, ",\n\"comparison\": ", comparison_json(results, &comparison->ranking)) &&
               (!scene->passed_over || print(file, ",\n\"passed_over\": ", json_lines(scene->passed_over))) &&
               (scene->target_count == 0 || print(file, ",\n\"answers\": ", tables_answers_json(results))) &&
