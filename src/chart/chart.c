@@ -173,7 +173,15 @@ void chart_name_row(struct chart *chart, double y, const char *name)
 {
     struct chart_panel *panel = last(chart);
     chart_end(chart);
-    json_array_append_new(panel->names, json_pack("{sf so}", "at", y, "label", json_shown(name)));
+    struct text label = {0};
+    for (; *name; name++) /* gnuplot takes a tic's label for a format */
+    {
+        if (*name == '%')
+            text_add_bytes(&label, name, 1);
+        text_add_bytes(&label, name, 1);
+    }
+    json_array_append_new(panel->names, json_pack("{sf so}", "at", y, "label", json_shown(text_string(&label))));
+    text_free(&label);
     reach(&panel->y, y - 0.4); /* room above for what is marked */
     reach(&panel->y, y + 0.9);
 }
