@@ -270,6 +270,9 @@ TEST_IN_WORKSPACE(models_have_intervals_and_ranges)
         assert_int_equal(times(script, " pt 6") > 0, outside);
         assert_int_equal(strstr(report, "hollow: outside the model's range of validity") != NULL, outside);
         assert_int_equal(times(script, " pt 6"), times(report, "](#methods-and-sources) †"));
+        expect_in_file(place, "out/report.html", "<a href=\"#methods-and-sources\">CMY</a>",
+                       "<a id=\"methods-and-sources\"></a>");
+        expect_parts(report, "(truncation)\n", "by strip transfer with hardness, which solves the scans as strips");
     }
 }
 
