@@ -2,6 +2,7 @@
 /* Gas in the gaps, films, platings and heating through the whole program: every number of the section and of its
  * columns from what else is in data/. */
 #include "base/number_format.h"
+#include "contact/cmy.h"
 #include "joint/gas.h"
 #include "joint/heating.h"
 #include "joint/joint.h"
@@ -286,6 +287,17 @@ TEST_IN_PLACE(a_plating_has_its_hardness)
             expect_parts(page, rows[k].said);
         else
             expect_no_parts(page, "The hardness is");
+    }
+    const json_t *own = json_array_get(
+        json_object_get(results_of(place, BRONZE "plating: {metal: tin, thickness: 20 um}\n"), "surfaces"), 0);
+    const struct cmy surface = {json_number_value(json_object_get(own, "sigma_m")),
+                                json_number_value(json_object_get(own, "mean_slope"))};
+    const double indent_um = 1e6 * cmy_indent_m(&surface, 0.01); /* 1 MPa on 100 MPa */
+    for (int side = 0; side < 2; side++) {                       /* on either side of that depth */
+        char scene[512];
+        snprintf(scene, sizeof scene, BRONZE "plating: {metal: tin, thickness: %g um}\n",
+                 indent_um * (side ? 1.02 : 0.98));
+        assert_near(hardness_of(results_of(place, scene)), side ? 100e6 : bronze_Pa, 1e-12);
     }
     for (int given = 0; given < 2; given++) { /* as if the scene gave it */
         report_on(place,
