@@ -172,8 +172,12 @@ void chart_mark(struct chart *chart, bool vertical, double at, const char *name)
 void chart_name_row(struct chart *chart, double y, const char *name)
 {
     struct chart_panel *panel = last(chart);
+    struct text label = {0};
     chart_end(chart);
-    json_array_append_new(panel->names, json_pack("{sf so}", "at", y, "label", json_shown(name)));
+    for (const char *c = name; *c; c++) /* gnuplot takes a tic's name for a format */
+        text_add(&label, *c == '%' ? "%%%%" : "%c", *c);
+    json_array_append_new(panel->names, json_pack("{sf so}", "at", y, "label", json_shown(text_string(&label))));
+    text_free(&label);
     reach(&panel->y, y - 0.4); /* room above for what is marked */
     reach(&panel->y, y + 0.9);
 }
