@@ -312,10 +312,12 @@ void joint_model_sd(double out[QUANTITY_COUNT], const struct contact_point *poin
 {
     const double pressure_Pa = material_pair_pressure(task->pair, point->value[QUANTITY_LOAD]);
     for (int q = 0; q < QUANTITY_COUNT; q++) {
-        out[q] = q == QUANTITY_AREA || q == QUANTITY_SEPARATION || (QUANTITY_RESISTANCES & QUANTITY_BIT(q))
+        out[q] = q == QUANTITY_AREA || q == QUANTITY_SEPARATION || q == QUANTITY_ADJUSTED ||
+                         (QUANTITY_RESISTANCES & QUANTITY_BIT(q))
                      ? model_surface_sd(row, (enum quantity)q, longest_waves)
                      : 0;
-        if (q == QUANTITY_AREA && row->plastic && row->uses_strip) { /* what exp(sd) times the elastic area makes of it */
+        if (q == QUANTITY_AREA && row->plastic &&
+            row->uses_strip) { /* what exp(sd) times the elastic area makes of it */
             double share = model_elastic_share(row, point, pressure_Pa / task->pair->hardness_Pa),
                    elastic_sd = model_surface_sd(row->elastic, QUANTITY_AREA, longest_waves);
             out[q] = hypot(bearing_area_sd, log1p(share * expm1(4 * elastic_sd)) / 4);

@@ -260,20 +260,21 @@ TEST_IN_PLACE(a_plating_has_its_hardness)
     const struct {
         const char *more;
         double hardness_Pa;
-        const char *said, *unsaid;
+        const char *said; /* NULL: nothing of a plating's hardness */
     } rows[] = {
-        {"plating: {metal: tin, thickness: 20 um}\n", 100e6, "that of the tin plating", "bodies"},
-        {"plating: {metal: tin, thickness: 1 nm}\n", bronze_Pa, "go through 0.00100", "that of the tin plating"},
-        {"plating: {metal: tin, thickness: 20 um}\nhardness: 900 MPa\n", 900e6, "the scene's", "plating is"},
-        {"plating: {metal: hard gold, thickness: 20 um}\n", 1.667e9, "that of the hard gold plating", "bodies"},
-        {"counterface: same\nplating: {metal: hard gold, thickness: 20 um}\n", bronze_Pa, "that of the bodies.",
-         "that of the hard"},
+        {"plating: {metal: tin, thickness: 20 um}\n", 100e6, "- The hardness is the plating's, 100\u00a0MPa on *a*, "},
+        {"plating: {metal: tin, thickness: 1 nm}\n", bronze_Pa, "- The hardness is the metal's below the plating, "},
+        {"plating: {metal: tin, thickness: 20 um}\nhardness: 900 MPa\n", 900e6, "- The hardness is the scene's, 900"},
+        {"plating: {metal: hard gold, thickness: 20 um}\n", 1.667e9, "- The hardness is the plating's, 1667"},
+        {"counterface: same\nplating: {metal: hard gold, thickness: 20 um}\n", bronze_Pa,
+         "- The hardness is the metal's below the plating, "},
         {"counterface: same\nplating: {metal: hard gold, thickness: 20 um, sides: both}\n", 1.667e9,
-         "that of the hard gold plating", "bodies"},
-        {"plating: {resistivity: 1e-7, thickness: 20 um}\n", bronze_Pa, "that of the plating is not known", "indents"},
-        {"film: 0\n", bronze_Pa, "", "Hardness"},
+         "- The hardness is the plating's, 1667"},
+        {"plating: {resistivity: 1e-7, thickness: 20 um}\n", bronze_Pa,
+         "- The hardness is the metal's below the plating, "},
+        {"film: 0\n", bronze_Pa, NULL},
     };
-    double area[2] = {0}, indent_um = NAN;
+    double area[2] = {0};
     for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
         char scene[512];
         snprintf(scene, sizeof scene, BRONZE "%s", rows[k].more);
@@ -281,26 +282,10 @@ TEST_IN_PLACE(a_plating_has_its_hardness)
         char *page = directory_read(place, "out/report.md");
         *strstr(page, "\n---\n") = '\0';
         assert_near(hardness_of(results), rows[k].hardness_Pa, 1e-12);
-        expect_parts(page, rows[k].said);
-        const char *sentence = strstr(page, "Hardness on");
-        assert_int_equal(sentence == NULL, !*rows[k].said);
-        char *line = strndup(sentence ? sentence : "", sentence ? strcspn(sentence, "\n") : 0);
-        expect_no_parts(line, rows[k].unsaid);
-        if (k == 0)
-            indent_um = strtod(strstr(line, "Vickers indents ") + strlen("Vickers indents "), NULL);
-        free(line);
-    }
-    for (int side = 0; side < 2; side++) { /* on either side of that depth; what is said is at the hardness taken */
-        char scene[512];
-        snprintf(scene, sizeof scene, BRONZE "plating: {metal: tin, thickness: %g um}\n",
-                 indent_um * (side ? 1.06 : 0.94));
-        json_t *results = results_of(place, scene);
-        assert_near(hardness_of(results), side ? 100e6 : bronze_Pa, 1e-12);
-        char *page = directory_read(place, "out/report.md");
-        const double said_um = strtod(strstr(page, "Vickers indents ") + strlen("Vickers indents "), NULL);
-        assert_true(side ? fabs(said_um / indent_um - 1) < 1e-3 : said_um < 0.9 * indent_um); /* bronze is harder */
-        assert_int_equal(strstr(page, "; softer tin alone, ") != NULL, !side);
-        assert_int_equal(strstr(page, "which go through") != NULL, 0);
+        if (rows[k].said)
+            expect_parts(page, rows[k].said);
+        else
+            expect_no_parts(page, "The hardness is");
     }
     for (int given = 0; given < 2; given++) { /* as if the scene gave it */
         report_on(place,
@@ -325,7 +310,7 @@ TEST_IN_PLACE(shape_of_the_parts)
     static const char *const names[][2] = {{"shape_W_per_m2K", "joint_W_per_m2K"},
                                            {"shape_ecr_ohm_m2", "joint_ecr_ohm_m2"}};
     struct table before = {0};
-    double carried_mm2 = 400, lay_flat = NAN;
+    double carried_mm2 = 400;
     for (size_t k = 0; k < sizeof shapes / sizeof *shapes; k++) {
         char *page = report_on(
             place, filled("material: copper\ncounterface: aluminium\nnominal_area: 400 mm2\nshape: %s\n"
@@ -347,24 +332,18 @@ TEST_IN_PLACE(shape_of_the_parts)
                     assert_true((value < number(&before, i, names[way][0])) == (way == 0));
             }
         assert_true(known[0] >= contact.rows / 2 && known[1] >= contact.rows / 2);
-        if (k > 1) { /* what the page says that the shape divides by, the list of effects says, too */
+        if (k > 1) { /* what the report says that the shape divides by, the list of effects says, too */
             const char *times = strstr(page, "divides the conductance by "),
                        *factor = strstr(page, "the scene has 'shape'; conductance × ");
             assert_true(times && factor);
             assert_near(strtod(factor + strlen("the scene has 'shape'; conductance × "), NULL),
                         1 / strtod(times + strlen("divides the conductance by "), NULL), 0.045); /* two digits */
         }
-        const char *said = strstr(page, "of the nominal 400 mm², ");
+        const char *said = strstr(page, "- Of 400\u00a0mm², ");
         assert_non_null(said);
-        double carries_mm2 = strtod(said + strlen("of the nominal 400 mm², "), NULL);
+        double carries_mm2 = strtod(said + strlen("- Of 400\u00a0mm², "), NULL);
         assert_true(carries_mm2 > 0 && carries_mm2 < carried_mm2);
         carried_mm2 = carries_mm2;
-        char *tree = directory_read(place, "out/view.json");
-        const char *factor = strstr(tree, "\"lay_factor\": \"");
-        assert_non_null(factor);
-        double lay = strtod(factor + strlen("\"lay_factor\": \""), NULL);
-        assert_true(k < 3 || lay <= lay_flat); /* it changes the spots, not the way to them */
-        lay_flat = k == 0 ? lay : lay_flat;
         before = contact;
     }
 }
@@ -497,7 +476,7 @@ TEST_IN_PLACE(flatness_that_is_not_given)
                        "operating_load: 10 bar\nmodels: [corrected-persson]\ngap: {gas: vacuum}\n"
                        "targets: [{conductance: 1e4 W/m2/K}]\nsurfaces: [{name: a, file: a.csv}]\n";
     char *report = report_on(place, filled("nominal_area: 4 cm2\n%s", rest));
-    expect_parts(report, "Flatness, not given: 2.0");
+    expect_parts(report, "**Flatness counts:** 2.0");
     const char *found = strstr(report, said);
     assert_non_null(found);
     double factor = strtod(found + strlen(said), NULL);
@@ -507,7 +486,7 @@ TEST_IN_PLACE(flatness_that_is_not_given)
     assert_near(factor, strtod(found + strlen("divides the conductance by "), NULL), 0.05);
     for (size_t i = 0; i < sizeof silent / sizeof *silent; i++) {
         report = report_on(place, filled("%s%s", silent[i], rest));
-        assert_null(strstr(report, "Flatness, not given"));
+        assert_null(strstr(report, "Flatness counts"));
     }
 }
 
@@ -566,7 +545,7 @@ TEST_IN_PLACE(sentences)
     }
 }
 
-/** A limit, a target and the textbook say what is in them, and which end of the loads they stand at. */
+/** A limit and a target say what is in them, and which end of the loads they stand at. */
 TEST_IN_PLACE(what_is_in_the_answer)
 {
     static const struct {
@@ -577,17 +556,17 @@ TEST_IN_PLACE(what_is_in_the_answer)
         {"film: 1e-9 ohm m2\nplating: {thickness: 2 um, resistivity: 1e-8}\n", "film and plating", "between them"},
     };
     for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
-        char scene[1024], limit[100], target[100], answer[100];
+        char scene[1024], target[100];
         snprintf(scene, sizeof scene,
                  "material: tin\nmodels: [strip, cmy]\nnominal_area: 1 mm2\nload: {from: 1 N, to: 30 N, points: 5}\n"
                  "targets: [{ecr: 1 ohm}, {ecr: 1 nohm}]\nlimits: {ecr: {most: 1 ohm}}\n%s",
                  rows[k].key);
-        snprintf(limit, sizeof limit, "\nLimit ECR with %s ≤ 1\u00a0Ω: ", rows[k].says);
-        snprintf(target, sizeof target, "\nECR with %s of 1\u00a0nΩ takes more than ", rows[k].says);
-        snprintf(answer, sizeof answer, ", %s included.\n", rows[k].says);
+        snprintf(target, sizeof target, "\n- ECR with %s 1\u00a0nΩ is not reached at the loads of this report.\n",
+                 rows[k].says);
         char *report = report_on(place, scene);
         *strstr(report, "\n---\n") = '\0';
-        expect_parts(report, limit, target, answer, "\nTextbook (CMY): at most 1.00\u00a0N on *");
+        expect_parts(report, filled(" | ECR with %s ≤ 1\u00a0Ω | ", rows[k].says), "✓ met", target,
+                     "*a* needs at most 1.00\u00a0N");
         expect_no_parts(report, rows[k].unsaid);
     }
 }
@@ -597,8 +576,7 @@ TEST_IN_PLACE(what_is_in_the_answer)
 TEST_IN_PLACE(a_bond_line_that_keeps_the_metals_apart)
 {
     static const char *const of_spots[] = {
-        "Least certain", "longest waves", "more than the ", "the spots are not apart", "bears more than the hardness",
-        "widen `load`"};
+        "**Uncertainty", "longest waves", "**Textbook", "Few spots", "bears more than the hardness", "widen `load`"};
     for (int thick = 0; thick < 2; thick++) {
         char *report = report_on(
             place, filled(LOADS "material: tin\nnominal_area: 400 mm2\neffects: [separation, electrical, thermal, "
@@ -624,10 +602,10 @@ TEST_IN_PLACE(a_bond_line_that_keeps_the_metals_apart)
                         isnan(number(&contact, i, "tcr_K_m2_per_W")) && isnan(number(&contact, i, "spots_per_m2")));
         }
         if (thick)
-            expect_parts(report, "takes no load, as the gap stays at the bond line of the filler",
-                         "**missed by 2 surfaces**", "They carry 100 % of the heat.");
+            expect_parts(report, "no load is known for *a*", "**The filler carries all heat:** its 25.0\u00a0µm keep",
+                         "| – | 3.20·10⁴ | ✗ missed |", "They carry 100 % of the heat.");
         else
-            expect_no_parts(report, "bond line of the filler");
+            expect_no_parts(report, "The filler carries all heat");
     }
 }
 
