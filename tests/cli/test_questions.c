@@ -192,7 +192,7 @@ TEST_IN_WORKSPACE(no_longer_than_that)
         char *whole = workspace_read(place, "out/report.md"), *first = first_page(place, "out");
         const struct size all = size_of(whole), page = size_of(first);
         assert_in_range(all.words, 300, 1000);
-        assert_in_range(all.figures, 5, 12);
+        assert_in_range(all.figures, 5, 13);
         assert_in_range(all.tables, 4, 10);
         assert_in_range(page.words, 20, 230);
         assert_in_range(page.columns, 4, 8);

@@ -314,7 +314,7 @@ TEST_IN_DIRECTORY(test_the_area_alone)
                                            "material: tin\n" LOADS SURFACES "models: [area-alone]\n"
                                            "effects: [separation, electrical, thermal, scale-dependent]\n",
                                            true);
-    expect_in_file(place, "out/report.md", "the leading model is area alone.", "| model | area (%) |\n");
+    expect_in_file(place, "out/report.md", "by area alone, which says what it says.", "| model | area (%) |\n");
     expect_not_in_file(place, "out/report.md", "significantly better", /* two have one scan */
                        "ECR·Aₙ", "### Separation", "multiscale elastic");
     expect_parts(text_string(&outcome.table), "contact area");
