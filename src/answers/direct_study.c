@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "answers/direct_study.h"
 
-
 #include <math.h>
 #include <stdlib.h>
 
@@ -83,7 +82,7 @@ static enum status_code find_rows(struct maker *maker, struct status *status)
             study->rows.amplitude_m[i] = direct_law_amplitude(&plan->law, i + 1);
         return STATUS_OK;
     }
-    const struct strip_rows rows = {maker->map.height_m, maker->map.grid.ny, maker->map.grid.nx,
+    const struct strip_rows rows = {maker->map.height_m,       maker->map.grid.ny,        maker->map.grid.nx,
                                     maker->map.grid.spacing_m, !maker->map.grid.mirrored, NULL};
     size_t points;
     double *joined_m = strip_join(&points, &rows);

@@ -370,7 +370,7 @@ static void put_rows(struct chart *chart, const struct row *rows, size_t count)
 static struct row surface_row(const struct source *source, size_t surface)
 {
     const struct asked *asked = &source->asked;
-    const struct known known = known_value(source->results, asked->quantity, surface);
+    const struct known known = known_asked(source->results, asked, surface);
     const bool bound = known.kind != KNOWN_VALUE;
     struct row row = {.value = known.kind == KNOWN_NOTHING ? NAN : asked_shown(asked, known.value),
                       .ends = {NAN, NAN},

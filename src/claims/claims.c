@@ -223,7 +223,7 @@ static bool few_spots(struct claims *c)
         return false;
     if (most < 1)
         c->key = "few-spots-one";
-    put_range(c, "spots", fmax(least, 1), fmax(most, 1), most < 3 ? 1 : 2, "");
+    put_range(c, "spots", fmax(least, 1), fmax(most, 1), 2, "");
     put_names(c, names, count);
     return true;
 }
@@ -600,9 +600,10 @@ static bool not_flat_assumed(struct claims *c)
     const struct joint_task joint = {&results->scene->joint, &record->summary.pair,
                                      .nominal_area_m2 = results->scene->nominal_area_m2,
                                      .effects = results->plan->running};
-    if (plan_runs(results->plan, EFFECT_SHAPE) || !(joint.nominal_area_m2 > 0) || record->summary.pair.unknown ||
-        !record->curves || !record->curves[c->leading].exists ||
-        (way == JOINT_HEAT && asked != QUANTITY_TCR && asked != QUANTITY_JOINT))
+    if (plan_runs(results->plan, EFFECT_SHAPE) || /* gaps that conduct need loads far below those of the report */
+        (way == JOINT_HEAT && plan_runs(results->plan, EFFECT_GAP) && joint.joint->fill != JOINT_VACUUM) ||
+        !(joint.nominal_area_m2 > 0) || record->summary.pair.unknown || !record->curves ||
+        !record->curves[c->leading].exists || (way == JOINT_HEAT && asked != QUANTITY_TCR && asked != QUANTITY_JOINT))
         return false;
     c->weight = shaped_usual_factor(&record->curves[c->leading], model_rows[c->leading], &joint,
                                     results_operating_load(results, results->baseline), way);
@@ -875,10 +876,9 @@ static bool duplicates(struct claims *c)
 /** Keys of the scene that a user's own part needs, where they are missing. */
 static bool needs(struct claims *c)
 {
-    if (c->results->scene->path)
-        return false;
-    c->key = results_has_material(c->results) ? "needs" : "needs-material";
-    return true;
+    const bool material = results_has_material(c->results);
+    c->key = material ? "needs" : "needs-material";
+    return !c->results->scene->path || !material;
 }
 
 /* ---- The table ---- */
@@ -1007,14 +1007,15 @@ typedef void escape_text(struct text *out, const char *string);
 static struct known known_of(const struct claims *c, size_t surface)
 {
     return c->asked.target ? known_load(c->results, c->asked.target, surface)
-                           : known_value(c->results, c->asked.quantity, surface);
+                           : known_asked(c->results, &c->asked, surface);
 }
 
 /** What surfaces are ordered by: the load that the target needs, else the answer; less is better. */
 static double cost_of(const struct claims *c, size_t surface)
 {
     const struct known known = known_of(c, surface);
-    if (known.kind == KNOWN_NOTHING || known.kind == KNOWN_MORE_THAN)
+    if (known.kind == KNOWN_NOTHING ||
+        known.kind == (!c->asked.target && c->asked.more_is_better ? KNOWN_AT_MOST : KNOWN_MORE_THAN))
         return INFINITY;
     if (c->asked.target)
         return known.value * asked_load_of(c->results, surface).scale;

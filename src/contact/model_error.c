@@ -7,7 +7,10 @@
 
 #define ERROR(name, ...)                                                                                               \
     {                                                                                                                  \
-        &model_##name, { __VA_ARGS__ }                                                                                 \
+        &model_##name,                                                                                                 \
+        {                                                                                                              \
+            __VA_ARGS__                                                                                                \
+        }                                                                                                              \
     }
 #define DECLARE(name) extern const struct model_row model_##name;
 DECLARE(multiscale_elastic)

@@ -117,8 +117,8 @@ void joint_carry_sd(double sd[QUANTITY_COUNT], const struct contact_point *point
 void joint_model_sd(double out[QUANTITY_COUNT], const struct contact_point *point, const struct model_row *row,
                     const struct joint_task *task, double longest_waves);
 
-/** The least and the most that physics allows at a point of a model with a hardness H, 0: anything. Area: at least P/H, as
- * nothing bears more. Resistance: at most that of one spot of the area P/H of all, (rho_1 + rho_2)/(4a), pi a² = P/H
+/** The least and the most that physics allows at a point of a model with a hardness H, 0: anything. Area: at least P/H,
+ * as nothing bears more. Resistance: at most that of one spot of the area P/H of all, (rho_1 + rho_2)/(4a), pi a² = P/H
  * (Holm 1967), where the nominal area is known; what the joint makes of a resistance follows it. */
 void joint_bounds(double out[QUANTITY_COUNT][2], const struct contact_point *point, const struct model_row *row,
                   const struct joint_task *task);

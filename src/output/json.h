@@ -8,8 +8,7 @@
 
 /** Writes results.json (docs/results.schema.json) into `directory`. Errors: STATUS_IO, STATUS_MEMORY. */
 MUST_CHECK enum status_code json_write(const struct results *results, const struct comparison *comparison,
-                                       const json_t *claims,
-                                       const char *directory, struct status *status);
+                                       const json_t *claims, const char *directory, struct status *status);
 
 /** In short, for a script, as in results.json: `refused`, `answers`, `limits`, and the `missed_limits` and
  * `undecided_limits` (or without a value) among them. To be released with json_decref(); NULL: out of memory. */

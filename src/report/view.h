@@ -23,7 +23,8 @@ struct view_source {
 
 /** The tree of a run, new, with its claims and its headline. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code view_make(json_t **out, const struct results *results, const struct comparison *comparison,
-                                      json_t *headline, json_t *claims, const struct figures *figures, struct words *words, struct status *status);
+                                      json_t *headline, json_t *claims, const struct figures *figures,
+                                      struct words *words, struct status *status);
 
 /* Its parts: each adds what its section needs, or nothing. Private to src/report. */
 void view_first_page(json_t *out, const struct view_source *source);

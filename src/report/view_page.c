@@ -45,7 +45,7 @@ static void put_load(json_t *row, const struct view_source *source, size_t surfa
 
 static void put_value(json_t *row, const struct view_source *source, size_t surface)
 {
-    const struct known known = known_value(source->results, source->asked.quantity, surface);
+    const struct known known = known_asked(source->results, &source->asked, surface);
     double ends[2];
     asked_ends(ends, &source->asked, (const double[]){known.low, known.high});
     put_known(row, "value", &known, asked_shown(&source->asked, known.value), ends);

@@ -78,6 +78,14 @@ struct known known_value(const struct results *results, enum quantity quantity, 
     return out;
 }
 
+struct known known_asked(const struct results *results, const struct asked *asked, size_t surface)
+{
+    struct known known = known_value(results, asked->quantity, surface);
+    if (asked->reciprocal && (known.kind == KNOWN_AT_MOST || known.kind == KNOWN_MORE_THAN))
+        known.kind = known.kind == KNOWN_AT_MOST ? KNOWN_MORE_THAN : KNOWN_AT_MOST;
+    return known;
+}
+
 void known_check_limits(struct results *results, size_t surface)
 {
     for (size_t l = 0; l < results->scene->limit_count; l++) {

@@ -23,12 +23,14 @@ struct known {
 
 /** A quantity where the summary stands. */
 struct known known_value(const struct results *results, enum quantity quantity, size_t surface);
+/** That of the asked quantity; of a reciprocal, value and interval as before, and "at most" is of what is shown. */
+struct known known_asked(const struct results *results, const struct asked *asked, size_t surface);
 /** Judges the limits of a surface by its measurement, where it has one of their quantity. */
 void known_check_limits(struct results *results, size_t surface);
 /** The load at which a target is met, by the leading model or the measurement. */
 struct known known_load(const struct results *results, const struct scene_asked *target, size_t surface);
-/** The factor on a surface's predicted conductance that its measurement of this quantity gives, 1: none was measured, or
- * the scene does not carry it. */
+/** The factor on a surface's predicted conductance that its measurement of this quantity gives, 1: none was measured,
+ * or the scene does not carry it. */
 double known_carried(const struct results *results, enum quantity quantity, size_t surface);
 
 #endif

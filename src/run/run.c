@@ -240,8 +240,7 @@ static enum status_code write_all(struct run *run, struct run_outcome *out, stru
                   &run->prepared.words, status) != STATUS_OK)
         return status->code;
     out->times.tables = lap(&last);
-    if (gnuplot_finish(&run->gnuplot, status) != STATUS_OK ||
-        figures_check(&figures, staging, status) != STATUS_OK ||
+    if (gnuplot_finish(&run->gnuplot, status) != STATUS_OK || figures_check(&figures, staging, status) != STATUS_OK ||
         figures_letters(&out->charts, &figures, staging, status) != STATUS_OK)
         return status->code;
     out->times.gnuplot = lap(&last);

@@ -129,6 +129,12 @@ size_t plan_leading_model(const struct plan *plan)
     return leading;
 }
 
+/** What models cost, roughly: a closed form of moments, a sum over the spectrum, strips of the scans. */
+static int cost_rank(const struct model_row *row)
+{
+    return row->uses_strip ? 2 : row->textbook ? 0 : 1;
+}
+
 void plan_choose_model(struct scene *scene)
 {
     struct plan plan;
@@ -138,14 +144,13 @@ void plan_choose_model(struct scene *scene)
     bool met = false;
     for (size_t m = 0; m < model_count; m++) {
         const struct model_row *row = model_rows[m], *before = chosen < model_count ? model_rows[chosen] : NULL;
-        const double sd = plan_runs_model(&plan, m) && row->plastic == hard
-                              ? model_sd(row, asked_quantity(&plan, scene))
-                              : 0;
+        const double sd =
+            plan_runs_model(&plan, m) && row->plastic == hard ? model_sd(row, asked_quantity(&plan, scene)) : 0;
         const bool good = model_factor(sd) - 1 <= scene->accuracy;
         if (!(sd > 0) || (met && !good))
             continue;
-        if (!before || (good && !met) || (good && row->uses_strip < before->uses_strip) ||
-            (row->uses_strip == before->uses_strip && sd < scene->chosen_sd) || (!good && sd < scene->chosen_sd)) {
+        const int dearer = before && good ? cost_rank(row) - cost_rank(before) : 0;
+        if (!before || (good && !met) || dearer < 0 || (dearer == 0 && sd < scene->chosen_sd)) {
             chosen = m;
             scene->chosen_sd = sd;
         }

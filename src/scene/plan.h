@@ -26,9 +26,9 @@ struct plan {
 /** Listed effects run (the scene was checked); with `auto` an effect runs where the given properties allow it. */
 void plan_make(struct plan *out, const struct scene *scene, struct words *words);
 
-/** Leaves in scene->models the cheapest one whose answers lie within scene->accuracy 95 times of 100, with the elastic one that it
- * yields from: by docs/validation.md for so many scans, metal that yields or not. Dearer is what solves strips; of
- * those that cost the same the better. Where none is as good the best. */
+/** Leaves in scene->models the cheapest one whose answers lie within scene->accuracy 95 times of 100, with the elastic
+ * one that it yields from: by docs/validation.md for so many scans, metal that yields or not. Dearer is what solves
+ * strips; of those that cost the same the better. Where none is as good the best. */
 void plan_choose_model(struct scene *scene);
 
 /** Does `effect` run? */

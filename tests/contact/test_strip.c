@@ -79,7 +79,8 @@ TEST_CASE(heights_tell)
     double *height = gaussian_rows(ROWS, 5);
     for (size_t i = 0; i < ROWS * POINTS; i++)
         height[i] = fmin(height[i], 0) + 0.02 * fmax(height[i], 0);
-    struct strip_rows rows = {height, ROWS, POINTS, 1e-6, false, NULL}, alone = {height + POINTS, 1, POINTS, 1e-6, false, NULL};
+    struct strip_rows rows = {height, ROWS, POINTS, 1e-6, false, NULL},
+                      alone = {height + POINTS, 1, POINTS, 1e-6, false, NULL};
     struct strip strip = solved(&rows, STRIP_SURROGATES), again = solved(&rows, STRIP_SURROGATES);
     assert_memory_equal(&strip, &again, sizeof strip);
     double cost = (double)strip_cost(&rows);

@@ -48,15 +48,17 @@ TEST_CASE(areas_error)
     }
 }
 
-/** Nothing bears more than the hardness: an area is at least P/H, a resistance at most that of one spot so large; what is
- * made of it by a film too. Without a hardness, or without a nominal area, there is no such bound. */
+/** Nothing bears more than the hardness: an area is at least P/H, a resistance at most that of one spot so large; what
+ * is made of it by a film too. Without a hardness, or without a nominal area, there is no such bound. */
 TEST_CASE(physics_bounds)
 {
     const double hardness_Pa = 1e9, area_m2 = 1e-6;
     struct joint joint = joint_default();
     joint.film_ohm_m2 = 1e-12;
-    struct material_pair yielding = {
-        .effective_modulus_Pa = 1e11, .hardness_Pa = hardness_Pa, .resistivity_ohm_m = 2e-8, .conductivity_W_per_mK = 400};
+    struct material_pair yielding = {.effective_modulus_Pa = 1e11,
+                                     .hardness_Pa = hardness_Pa,
+                                     .resistivity_ohm_m = 2e-8,
+                                     .conductivity_W_per_mK = 400};
     const struct model_row *plastic = model_rows[model_named("strip-plastic")];
     const struct joint_task task = {&joint, &yielding, 1e-6, area_m2, EFFECT_BIT(EFFECT_FILM), 1e-12, NULL};
     const struct contact_point point = point_of(1e-2, 1e-6);

@@ -204,8 +204,8 @@ TEST_CASE(the_mean_of_curves)
                      gap_half = half_width(gap_sd / sqrt(3), model_sd(model, QUANTITY_SEPARATION));
         assert_near(result.band[i].mean[QUANTITY_AREA][1], fmin(1, exp(mean + half)), 1e-9);
         for (int side = 0; side < 2 && left; side++)
-            assert_near(log(result.band[i].mean[QUANTITY_SEPARATION][side]),
-                        mean_gap + (side ? gap_half : -gap_half), 1e-9);
+            assert_near(log(result.band[i].mean[QUANTITY_SEPARATION][side]), mean_gap + (side ? gap_half : -gap_half),
+                        1e-9);
         assert_near(log(result.band[i].mean[QUANTITY_AREA][0]), mean - half, 1e-9);
         assert_near(result.band[i].next[QUANTITY_AREA][1], fmin(1, exp(mean + next)), 1e-9);
         assert_true(isnan(result.band[i].mean[QUANTITY_LOAD][0]));

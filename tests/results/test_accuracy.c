@@ -52,7 +52,7 @@ TEST_CASE(the_best_at_a_price)
     assert_near(of.sd, model_sd(model_rows[gw], QUANTITY_ECR), 1e-12);
     assert_near(of.seconds[0], 1e-6 * (double)(gw + 1), 1e-12);
     assert_near(of.total_error[0], hypot(model_factor(of.sd) - 1, 1e-3), 1e-12);
-    assert_true(accuracy_is_best(&made.results, gw, QUANTITY_ECR)); /* no other is as cheap, and better */
+    assert_true(accuracy_is_best(&made.results, gw, QUANTITY_ECR));  /* no other is as cheap, and better */
     assert_false(accuracy_is_best(&made.results, jg, QUANTITY_ECR)); /* dearer and worse */
     for (size_t i = 0; i < made.benchmark.count; i++)
         made.benchmark.rows[i].seconds = made.benchmark.rows[i].model == gw ? 1 : 1e-6;
