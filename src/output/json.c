@@ -510,7 +510,10 @@ static json_t *claims_json(const json_t *claims)
 {
     json_t *out = json_deep_copy(claims), *claim;
     size_t i;
-    json_array_foreach(out, i, claim) json_object_del(claim, "markdown");
+    json_array_foreach(out, i, claim)
+    {
+        json_object_del(claim, "markdown");
+    }
     return out;
 }
 

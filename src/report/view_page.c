@@ -103,7 +103,10 @@ void view_first_page(json_t *out, const struct view_source *source)
     size_t i;
     json_t *claim, *first = view_list(out, "claims"), *more = view_list(out, "more_claims");
     json_object_set(out, "headline", source->headline);
-    json_array_foreach(source->claims, i, claim) json_array_append(i < CLAIMS_MOST ? first : more, claim);
+    json_array_foreach(source->claims, i, claim)
+    {
+        json_array_append(i < CLAIMS_MOST ? first : more, claim);
+    }
     view_flag(out, "several", results->usable_count > 1);
     view_text(out, "leading", model_rows[source->leading]->label);
     view_text(out, "leading_does", model_rows[source->leading]->does);
