@@ -35,8 +35,6 @@ struct surface_summary {
     const struct scene_surface *scene; /* name, files, bodies */
     struct material_pair pair;         /* what the models need of the bodies */
     enum surface_hardness hardness;
-    double indent_m;      /* depth of the indents at the hardness taken, under a plating; NaN: none, or not known */
-    bool indents_through; /* in a plating of its own hardness they would go through it */
     bool usable;          /* false: refused, see `refusal` */
     char *refusal;        /* one line; owned */
     double

@@ -329,18 +329,15 @@ static void find_plating_hardness(struct surface_summary *summary, const struct 
     double own_Pa = joint_platings[joint->plating].hardness_Pa, other_Pa = INFINITY,
            pressure_Pa = material_pair_pressure(&summary->pair, load);
     summary->hardness = bodies->hardness_Pa > 0 ? SURFACE_HARDNESS_SCENE : SURFACE_HARDNESS_BODIES;
-    summary->indent_m = NAN;
     if (!joint->plating || bodies->hardness_Pa > 0)
         return;
     double indent_m = cmy_indent_m(surface, load > 0 ? pressure_Pa / own_Pa : usual_area);
-    summary->indents_through = indent_m >= joint->plating_thickness_m;
     if (bodies->counterface_kind == MATERIAL_COUNTERFACE_ELASTIC && !joint->both_plated)
         other_Pa = material_hardness(&bodies->counterface);
     if (joint->plating_thickness_m > indent_m && !isnan(other_Pa)) {
         summary->hardness = own_Pa < other_Pa ? SURFACE_HARDNESS_PLATING : SURFACE_HARDNESS_BODIES;
         summary->pair.hardness_Pa = fmin(own_Pa, other_Pa);
     }
-    summary->indent_m = cmy_indent_m(surface, load > 0 ? pressure_Pa / summary->pair.hardness_Pa : usual_area);
 }
 
 /** That of a plating; and where it falls with size, the hardness of all but cmy: that of cmy's spots at the operating
