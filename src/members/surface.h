@@ -35,8 +35,8 @@ struct surface_summary {
     const struct scene_surface *scene; /* name, files, bodies */
     struct material_pair pair;         /* what the models need of the bodies */
     enum surface_hardness hardness;
-    bool usable;          /* false: refused, see `refusal` */
-    char *refusal;        /* one line; owned */
+    bool usable;   /* false: refused, see `refusal` */
+    char *refusal; /* one line; owned */
     double
         carrying; /* share of the nominal area that carries 90 % of the load, with the shape; 0: flat, NaN: not known */
     struct note_list notes;          /* warnings; owned */
