@@ -23,11 +23,11 @@ size_t made_up_model(const char *name)
     return 0;
 }
 
-/** Area of a model of the thesis over that of multiscale elastic. */
+/** Area of a model over that of multiscale elastic. */
 static double factor_of(size_t m)
 {
-    static const double factors[] = {2, 1, 0.8, 0.5}; /* by place in chapter 6 */
-    return factors[model_rows[m]->thesis_place - 1];
+    static const double factors[] = {1, 2, 1, 0.8, 0.5}; /* by place in chapter 6, 0: none */
+    return factors[model_rows[m]->thesis_place];
 }
 
 /** Takes out what was not asked for. */
