@@ -13,35 +13,18 @@ double known_carried(const struct results *results, enum quantity quantity, size
     return estimate_value(fit);
 }
 
-/** The measured resistance at a load on the way up, straight in the logarithms, the mean over the runs that pass it;
- * NaN: none does. */
-static double measured_at(const struct measured *measured, double load)
+/** Where a measured curve passes `at` of one of its columns on the way up, the other column: straight in the
+ * logarithms, the mean over the runs that pass it; NaN: none does. */
+static double passing(const struct measured *measured, const double *column, const double *other, double at)
 {
     double sum = 0;
     size_t count = 0;
     for (size_t r = 0; r < measured->run_count; r++)
         for (size_t i = measured->runs[r].first; i < measured->runs[r].turn; i++) {
-            const double *at = &measured->load[i], *value = &measured->resistance[i];
-            if (!(at[0] <= load && load <= at[1] && at[0] < at[1]))
+            const double *x = &column[i], *y = &other[i];
+            if ((x[0] - at) * (x[1] - at) > 0 || x[0] == x[1])
                 continue;
-            sum += log(value[0]) + log(value[1] / value[0]) * log(load / at[0]) / log(at[1] / at[0]);
-            count++;
-            break;
-        }
-    return count > 0 ? exp(sum / (double)count) : NAN;
-}
-
-/** The load at which the measured resistance passes a target on the way up; the same. */
-static double load_measured_at(const struct measured *measured, double target)
-{
-    double sum = 0;
-    size_t count = 0;
-    for (size_t r = 0; r < measured->run_count; r++)
-        for (size_t i = measured->runs[r].first; i < measured->runs[r].turn; i++) {
-            const double *at = &measured->load[i], *value = &measured->resistance[i];
-            if ((value[0] - target) * (value[1] - target) > 0 || value[0] == value[1])
-                continue;
-            sum += log(at[0]) + log(at[1] / at[0]) * log(target / value[0]) / log(value[1] / value[0]);
+            sum += log(y[0]) + log(y[1] / y[0]) * log(at / x[0]) / log(x[1] / x[0]);
             count++;
             break;
         }
@@ -69,7 +52,9 @@ struct known known_value(const struct results *results, enum quantity quantity, 
     if (!out.measured)
         return out;
     const struct estimate *fit = &results->answers[surface].fit;
-    const double here = measured_at(results_measured(results, surface), results_operating_load(results, surface)),
+    const struct measured *measured = results_measured(results, surface);
+    const double here =
+                     passing(measured, measured->load, measured->resistance, results_operating_load(results, surface)),
                  half = isnan(fit->half_width) ? NAN : fit->half_width;
     out.value = here > 0 ? here : model / carried;
     out.kind = isfinite(out.value) ? KNOWN_VALUE : KNOWN_NOTHING;
@@ -113,7 +98,8 @@ struct known known_load(const struct results *results, const struct scene_asked 
     if (answer->kind == ANSWER_LOAD && answer->full)
         out.kind = KNOWN_AT_MOST;
     if (carried) {
-        const double load = load_measured_at(results_measured(results, surface), target->value);
+        const struct measured *measured = results_measured(results, surface);
+        const double load = passing(measured, measured->resistance, measured->load, target->value);
         out.low = out.high = NAN;
         if (load > 0) {
             out.kind = KNOWN_VALUE;
