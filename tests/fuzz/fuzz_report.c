@@ -130,7 +130,7 @@ static bool report(const struct scene *scene)
         if (access(directory_path(&place, "out/data/contact.csv"), F_OK) == 0) /* not where all is pressed flat */
             require_numbers("out/data/contact.csv");
     } else {
-        FUZZ_REQUIRE((code == STATUS_SCAN || code == STATUS_SCENE) && *status.message);
+        FUZZ_REQUIRE((code == STATUS_SCAN || code == STATUS_SCENE || code == STATUS_MODEL) && *status.message);
         FUZZ_REQUIRE(!strchr(status.message, '\n'));
     }
     run_outcome_free(&outcome);
