@@ -11,12 +11,13 @@
 #include <string.h>
 
 #define SURFACE(...) RECORD_FIELD(struct surface_summary, __VA_ARGS__)
+#define SHOWN(...)   RECORD_SHOWN(struct surface_summary, __VA_ARGS__)
 const struct record_field surface_fields[] = {
     SURFACE(COUNT, "points", points, ALWAYS),
     SURFACE(NUMBER, "spacing_m", spacing_m, ALWAYS),
     SURFACE(NUMBER, "scan_length_m", length_m, ALWAYS),
-    SURFACE(NUMBER, "rq_m", roughness.rq_m, ALWAYS),
-    SURFACE(NUMBER, "ra_m", roughness.ra_m, ALWAYS),
+    SHOWN(NUMBER, "rq_m", roughness.rq_m, ALWAYS, 3, "um"),
+    SHOWN(NUMBER, "ra_m", roughness.ra_m, ALWAYS, 3, "um"),
     SURFACE(NUMBER, "pv_m", roughness.pv_m, JSON),
     SURFACE(NUMBER, "m0_m2", roughness.m0_m2, ALWAYS),
     SURFACE(NUMBER, "m2", roughness.m2, ALWAYS),

@@ -29,8 +29,8 @@ static void put_models(json_t *out, const struct view_source *source)
             continue;
         json_t *row = view_item(rows);
         view_text(row, "label", model_rows[m]->label);
-        view_number(row, "factor", model_factor(accuracy.sd), 2, "");
-        view_number(row, "here", accuracy.here, 2, "");
+        json_set(row, "factor", model_factor(accuracy.sd));
+        json_set(row, "here", accuracy.here);
         put_seconds(row, "time", accuracy.seconds[accuracy.used]);
         if (accuracy_is_best(source->results, m, quantity)) { /* the dearest first */
             size_t at = json_array_size(best);
@@ -45,7 +45,7 @@ static void put_models(json_t *out, const struct view_source *source)
     }
     const double few_waves = accuracy_few_waves_sd(source->results, source->results->baseline);
     if (few_waves > log(1.05))
-        view_number(out, "few_waves", model_factor(few_waves), 2, "");
+        json_set(out, "few_waves", model_factor(few_waves));
     view_separate(best);
     view_flag(out, "digits_are_free", finest - coarsest < 0.1 * solved);
     put_seconds(out, "digits", fmax(finest - coarsest, 0)); /* two timings: the finer may happen to be faster */
@@ -58,11 +58,7 @@ static void put_change(json_t *item, const struct view_source *source, enum effe
     const bool alike = fabs(factor - 1) < 5e-3;
     view_flag(item, "adds", effect_rows[effect].adds);
     view_flag(item, "studies", effect_rows[effect].studies);
-    view_number(item, alike ? "change" : "factor",
-                alike                      ? factor - 1
-                : source->asked.reciprocal ? 1 / factor
-                                           : factor,
-                alike ? 1 : 2, "");
+    json_set(item, alike ? "change" : "factor", alike ? factor - 1 : source->asked.reciprocal ? 1 / factor : factor);
 }
 
 static void put_effects(json_t *out, const struct view_source *source)
@@ -120,7 +116,7 @@ static void put_stability(json_t *out, const struct view_source *source)
     if (limited > 0)
         view_text(item, "limited_on", view_name(source, on));
     if (clamped > 1e-4)
-        view_number(item, "clamped_percent", 100 * clamped, 2, "");
+        json_set(item, "clamped", clamped);
     view_counted(item, "outside", outside, NULL);
     view_counted(item, "unsolved_loads", unsolved[0], NULL);
     view_counted(item, "unsolved_scans", unsolved[1], NULL);
@@ -132,7 +128,7 @@ static void put_stability(json_t *out, const struct view_source *source)
 
 void view_accuracy(json_t *out, const struct view_source *source)
 {
-    view_number(out, "tolerance", source->results->scene->tolerance, 1, "");
+    json_set(out, "tolerance", source->results->scene->tolerance);
     if (source->results->benchmark)
         put_models(view_part(out, "accuracy"), source);
     put_effects(out, source);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The findings of the thesis's chapter 6, each checked on these surfaces by the thesis's models. A further one is a row
- * of `checks`, which says what is held against what, and its words in templates/findings.md. */
+ * of `checks`, which says what is held against what, and its line in templates/words.txt. */
 #include "report/view.h"
 
 #include <math.h>
@@ -60,7 +60,7 @@ enum {
 
 struct check {
     const char *part;                             /* of the thesis */
-    const char *name;                             /* a flag, for the template's words */
+    const char *name;                             /* its words are finding.NAME */
     unsigned effects;                             /* EFFECT_BITs it needs */
     unsigned models;                              /* that it needs: the bits above */
     size_t surfaces;                              /* that it takes at least */
@@ -418,7 +418,7 @@ static void check_model(struct finding *f, json_t *numbers, json_t *opposed, siz
         return;
     json_t *item = view_item(numbers);
     view_text(item, "label", model_rows[f->row->number == SHOULDER ? f->other : m]->label);
-    view_range(item, "range", f->least, f->most, 2, "");
+    view_range(item, "range", f->least, f->most);
 }
 
 void view_findings(json_t *out, const struct view_source *source)
@@ -445,7 +445,8 @@ void view_findings(json_t *out, const struct view_source *source)
         view_separate(numbers);
         view_separate(opposed);
         view_text(item, "part", row->part);
-        view_flag(item, row->name, true);
+        view_text(item, "name", row->name);
+        view_text(item, "finding", words_say(source->words, "finding.%s", row->name));
         view_count(item, "good", good);
         view_count(item, "all", all);
         view_some(item, "ties", finding.all.ties);

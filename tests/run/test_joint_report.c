@@ -512,7 +512,7 @@ TEST_IN_PLACE(sentences)
         assert_true(isnan(h_g) || h_g == 0);
         assert_true(isnan(film) || film == number(&contact, i, "ecr_ohm_m2"));
     }
-    expect_parts(report, "The gaps are empty and carry no heat. Radiation would");
+    expect_parts(report, "The gaps are empty and carry no heat.\nRadiation would");
     expect_no_parts(report, "of the heat", "matters more than");
     static const struct {
         const char *scene, *says;
@@ -547,7 +547,7 @@ TEST_IN_PLACE(sentences)
         {"material: tin\nmodels: [strip]\nload: {values: [1]}\noperating_load: 1\nfilm: 1e-3 ohm m2\n",
          "The film of 0.00100 Ω·m² is a part of the resistance that is not known here."},
         {"material: tin\nmodels: [strip]\nload: {values: [1]}\noperating_load: 1\nnominal_area: 1 mm2\ncurrent: 2 A\n",
-         "What 2.00 A drops is not known here. At "},
+         "What 2.00 A drops is not known here.\nAt "},
     };
     for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
         char scene[1024];
