@@ -17,12 +17,12 @@ static void put_seconds(json_t *out, const char *name, double seconds)
         view_number(out, name, seconds / 60, 2, "min");
 }
 
-/** Each model's error of what is asked, and its time; those that no other betters at its price. */
+/** Each model's error of what is asked, and its time. */
 static void put_models(json_t *out, const struct view_source *source)
 {
     const enum quantity quantity = source->asked.quantity;
-    json_t *rows = view_list(out, "models"), *best = view_list(out, "best");
-    double finest = 0, coarsest = 0, solved = 0, dearer[64];
+    json_t *rows = view_list(out, "models");
+    double finest = 0, coarsest = 0, solved = 0;
     for (size_t m = 0; m < model_count; m++) {
         const struct accuracy accuracy = accuracy_of(source->results, m, quantity);
         if (!accuracy.known)
@@ -32,13 +32,6 @@ static void put_models(json_t *out, const struct view_source *source)
         json_set(row, "factor", model_factor(accuracy.sd));
         json_set(row, "here", accuracy.here);
         put_seconds(row, "time", accuracy.seconds[accuracy.used]);
-        if (accuracy_is_best(source->results, m, quantity)) { /* the dearest first */
-            size_t at = json_array_size(best);
-            for (; at > 0 && dearer[at - 1] < accuracy.seconds[accuracy.used]; at--)
-                dearer[at] = dearer[at - 1];
-            dearer[at] = accuracy.seconds[accuracy.used];
-            json_array_insert(best, at, row);
-        }
         coarsest += accuracy.seconds[0];
         finest += accuracy.seconds[BENCHMARK_STEPS - 1];
         solved = fmax(solved, accuracy.seconds[accuracy.used]);
@@ -46,7 +39,6 @@ static void put_models(json_t *out, const struct view_source *source)
     const double few_waves = accuracy_few_waves_sd(source->results, source->results->baseline);
     if (few_waves > log(1.05))
         json_set(out, "few_waves", model_factor(few_waves));
-    view_separate(best);
     view_flag(out, "digits_are_free", finest - coarsest < 0.1 * solved);
     put_seconds(out, "digits", fmax(finest - coarsest, 0)); /* two timings: the finer may happen to be faster */
 }

@@ -4,21 +4,8 @@
 
 #include "answers/direct_study.h"
 #include "base/constants.h"
-#include "joint/heating.h"
 #include "output/json.h"
 #include <math.h>
-
-struct range {
-    double least, most;
-};
-
-static void widen(struct range *range, double value)
-{
-    if (!isfinite(value))
-        return;
-    range->least = fmin(range->least, value);
-    range->most = fmax(range->most, value);
-}
 
 static bool wants(const struct view_source *source, enum quantity quantity)
 {
@@ -67,23 +54,6 @@ static void put_model(json_t *out, const struct view_source *source, size_t m)
         view_flag(out, "any_above_hardness", true);
     if (json_is_number(json_object_get(row, "full_load")))
         view_flag(out, "any_full", true);
-}
-
-/** What the heights do: the leading model over the one beside it, which takes them as Gaussian. */
-static void put_heights(json_t *out, const struct view_source *source)
-{
-    const struct results *results = source->results;
-    struct range range = {INFINITY, -INFINITY};
-    enum quantity quantity = results_criterion(results);
-    for (size_t k = 0; k < results->usable_count; k++)
-        widen(&range, comparison_heights_factor(results, results->by_roughness[k], quantity));
-    if (!(range.least <= range.most))
-        return;
-    json_t *item = view_part(out, "heights");
-    view_text(item, "beside", model_rows[plan_leading_model(results->plan)]->gaussian->label);
-    view_text(item, "symbol", quantity_rows[quantity].short_symbol);
-    view_range(item, "ratio", range.least, range.most);
-    view_flag(item, "alike", range.least > 0.9 && range.most < 1.1);
 }
 
 static void put_one_surface(json_t *out, const struct view_source *source)
@@ -205,139 +175,39 @@ void view_models(json_t *out, const struct view_source *source)
 {
     put_one_surface(out, source);
     put_all_surfaces(out, source);
-    put_heights(out, source);
     if (source->results->convergence)
         put_convergence(out, source);
 }
 
-/* ---- The joint ---- */
-
-/* Ranges of what no row has, behind those of the quantities. */
-enum joint_number { GAP_SHARE = QUANTITY_COUNT, FILM_SHARE, SHAPE_TIMES, CARRYING, JOINT_NUMBERS };
-
-/** What the leading model says of the joint, over the surfaces, in SI units. */
-static void joint_ranges(struct range out[JOINT_NUMBERS], const struct view_source *source)
-{
-    const struct scene *scene = source->results->scene;
-    for (int n = 0; n < JOINT_NUMBERS; n++)
-        out[n] = (struct range){INFINITY, -INFINITY};
-    for (size_t k = 0; k < source->results->usable_count; k++) {
-        const size_t surface = source->results->by_roughness[k];
-        const struct contact_point at = comparison_middle(source->results, source->leading, surface);
-        const double *value = at.value;
-        const double resistance =
-            plan_runs(source->results->plan, EFFECT_GAP) ? 1 / value[QUANTITY_JOINT] : value[QUANTITY_TCR];
-        for (int q = 0; q < QUANTITY_COUNT; q++)
-            widen(&out[q], value[q]);
-        widen(&out[GAP_SHARE], value[QUANTITY_GAP] / value[QUANTITY_JOINT]);
-        widen(&out[CARRYING], view_summary(source, surface)->carrying * scene->nominal_area_m2);
-        widen(&out[SHAPE_TIMES], 1 / (value[QUANTITY_SHAPE_JOINT] * resistance));
-        widen(&out[FILM_SHARE], scene->joint.film_ohm_m2 / value[QUANTITY_AREA] / value[QUANTITY_JOINT_ECR]);
-    }
-}
-
-/** The body that yields first, whose metal softens first. */
-static const struct material *softer_body(const struct view_source *source, size_t surface)
-{
-    const struct scene_bodies *bodies = &view_summary(source, surface)->scene->bodies;
-    bool other = bodies->counterface_kind == MATERIAL_COUNTERFACE_ELASTIC &&
-                 bodies->counterface.yield_strength_Pa < bodies->material.yield_strength_Pa;
-    return other ? &bodies->counterface : &bodies->material;
-}
-
-/** Does the softer body's metal soften or melt on any surface; of how many is that not known? */
-static void put_softening(json_t *out, const struct view_source *source)
-{
-    size_t soft = 0, unknown = 0, known = 0;
-    for (size_t k = 0; k < source->results->usable_count; k++) {
-        size_t i = source->results->by_roughness[k];
-        const struct heating_metal *metal = heating_metal_find(softer_body(source, i)->name);
-        double voltage_V = comparison_middle(source->results, source->leading, i).value[QUANTITY_VOLTAGE];
-        if (!isfinite(voltage_V))
-            continue;
-        known++;
-        unknown += !metal;
-        soft += metal && (voltage_V >= metal->softening_voltage_V ||
-                          voltage_V >= heating_voltage(metal->melting_K, source->results->scene->joint.temperature_K));
-    }
-    view_some(out, "softens", soft);
-    view_count(out, "surfaces", known);
-    view_flag(out, "stays_solid", known > 0 && soft == 0 && unknown == 0);
-    view_flag(out, "softening_unknown", unknown > 0);
-}
-
+/** What the scene says lies in the joint; what that does to the answer is told by claims and by the list of effects. */
 void view_joint(json_t *out, const struct view_source *source)
 {
-    static const struct {
-        enum effect effect;
-        const char *part;
-        struct {
-            const char *name;
-            int number;
-        } ranges[2];
-    } parts[] = {{EFFECT_GAP, "gaps", {{"share", GAP_SHARE}, {"conductance", QUANTITY_JOINT}}},
-                 {EFFECT_SHAPE, "shape", {{"carrying_m2", CARRYING}, {"times", SHAPE_TIMES}}},
-                 {EFFECT_FILM, "film", {{"share", FILM_SHARE}}},
-                 {EFFECT_PLATING, "plating", {{"factor", QUANTITY_PLATING_FACTOR}}},
-                 {EFFECT_HEATING, "heating", {{"voltage_V", QUANTITY_VOLTAGE}, {"hottest_K", QUANTITY_TEMPERATURE}}}};
     const struct scene *scene = source->results->scene;
     const struct joint *joint = &scene->joint;
-    const struct range *range, *share, *factor;
-    struct range ranges[JOINT_NUMBERS];
-    json_t *item = NULL, *part;
-    joint_ranges(ranges, source);
-    for (size_t p = 0; p < sizeof parts / sizeof *parts; p++) {
-        if (!plan_runs(source->results->plan, parts[p].effect))
-            continue;
-        if (!item)
-            json_object_set_new(out, "joint", item = json_joint(source->results));
-        part = view_part(item, parts[p].part);
-        for (int r = 0; r < 2 && parts[p].ranges[r].name; r++) {
-            range = &ranges[parts[p].ranges[r].number];
-            view_range(part, parts[p].ranges[r].name, range->least, range->most);
-        }
-    }
-    share = &ranges[GAP_SHARE];
-    factor = &ranges[QUANTITY_PLATING_FACTOR];
-    part = json_object_get(item, "gaps"); /* of what does not run it is NULL, and takes nothing */
-    view_flag(part, "vacuum", joint->fill == JOINT_VACUUM);
-    view_flag(part, "gas", joint->fill == JOINT_GAS);
-    view_flag(part, "medium", joint->fill == JOINT_MEDIUM);
-    view_text(part, "filler",
+    const struct plan *plan = source->results->plan;
+    json_t *item = json_joint(source->results);
+    view_flag(item, "medium", joint->fill == JOINT_MEDIUM);
+    view_text(item, "filler",
               joint->filler                               ? joint_filler_names[joint->filler]
               : joint->gas && joint->fill == JOINT_MEDIUM ? joint->gas->name
                                                           : "");
-    json_set(part, "radiation", 4 * constant_stefan_boltzmann * pow(joint->temperature_K, 3));
-    view_flag(part, "finish_matters", share->least > 0.5 && share->most < 1);
-    view_flag(part, "load_matters", share->most < 0.5);
-    part = json_object_get(item, "shape");
-    json_set(part, "nominal_m2", scene->nominal_area_m2);
-    view_some(part, "bolts", scene->shape.bolts.count);
-    json_set(part, "bolt_N", scene->shape.bolts.force_N);
-    view_flag(part, "without_place", joint->fields && joint->fields->share);
-    view_flag(part, "scaled", joint->pressed && joint->field_count == 1);
-    part = json_object_get(item, "plating");
-    view_text(part, "metal", joint->plating ? joint_plating_names[joint->plating] : "");
-    view_flag(part, "both", joint->both_plated);
-    view_flag(part, "no_spots", share->least >= 1);
-    view_flag(part, "helps", factor->most < 1);
-    view_flag(part, "hurts", factor->least > 1 && factor->most >= factor->least);
-    part = json_object_get(item, "heating");
-    if (part)
-        put_softening(part, source);
+    json_set(item, "radiation", 4 * constant_stefan_boltzmann * pow(joint->temperature_K, 3));
+    view_text(item, "metal", joint->plating ? joint_plating_names[joint->plating] : "");
+    view_flag(item, "both_plated", joint->both_plated);
+    if (plan_runs(plan, EFFECT_SHAPE)) {
+        json_t *shape = view_part(item, "shape");
+        view_some(shape, "bolts", scene->shape.bolts.count);
+        json_set(shape, "bolt_N", scene->shape.bolts.force_N);
+        view_flag(shape, "without_place", joint->fields && joint->fields->share);
+        view_flag(shape, "scaled", joint->pressed && joint->field_count == 1);
+    }
+    if (plan->running & (EFFECT_BIT(EFFECT_GAP) | EFFECT_BIT(EFFECT_FILM) | EFFECT_BIT(EFFECT_PLATING) |
+                         EFFECT_BIT(EFFECT_HEATING) | EFFECT_BIT(EFFECT_SHAPE)))
+        json_object_set(out, "joint", item);
+    json_decref(item);
 }
 
 /* ---- Measured, and the direct solution ---- */
-
-/** How the measured conductance grows with load, where the points tell, and the leading model's. */
-static void put_exponent(json_t *out, const struct measured_exponent *exponent)
-{
-    if (!isfinite(exponent->measured) || !isfinite(exponent->model))
-        return;
-    json_t *item = view_part(out, "exponent");
-    view_uncertain(item, "measured", exponent->measured, exponent->sd);
-    json_set(item, "model", exponent->model);
-}
 
 /** How far each model is from what was measured on a surface. */
 static void put_measured_models(json_t *item, const struct view_source *source, size_t surface)
@@ -358,7 +228,6 @@ static void put_measured_models(json_t *item, const struct view_source *source, 
     size_t nearest = measured_nearest(measured, answers);
     if (nearest < model_count)
         view_text(item, "nearest", model_rows[nearest]->label);
-    put_exponent(item, &answers->exponent);
     view_counted(item, "points", measured->count, NULL);
     if (measured->run_count > 1)
         view_count(item, "runs", measured->run_count);

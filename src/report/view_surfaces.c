@@ -44,7 +44,6 @@ static void put_surface(json_t *row, const struct view_source *source, size_t su
     view_count(row, "scans", s->scans);
     view_flag(row, "rows_of_a_map", repeats->count > 0 && repeats->scans == 1);
     view_some(row, "pieces", repeats->cut);
-    json_set(row, "heights_factor_ecr", comparison_heights_factor(source->results, surface, QUANTITY_ECR));
     put_constants(row, source, surface);
     view_law(view_part(row, "line"), &s->line);
     if (law->found == POWER_LAW_BAND_NONE)
@@ -138,7 +137,6 @@ void view_surfaces(json_t *out, const struct view_source *source)
     view_columns(view_list(item, "heads"), source->words, surface_fields);
     view_flag(item, "gaps", plan_quantities(source->results->plan) & QUANTITY_BIT(QUANTITY_JOINT));
     size_t scans = 0, of_maps = 0, periodic = 0, windowed = 0, lawless = 0, last_lawless = 0;
-    bool has_heights = false;
     for (size_t i = 0; i < results->surface_count; i++) {
         const struct surface_summary *s = view_summary(source, i);
         if (!s->usable)
@@ -150,11 +148,9 @@ void view_surfaces(json_t *out, const struct view_source *source)
         bool law = power_law_holds(&s->power_law);
         lawless += !law;
         last_lawless = law ? last_lawless : i;
-        has_heights = has_heights || isfinite(comparison_heights_factor(results, i, QUANTITY_ECR));
         if (json_array_size(rows) < VIEW_ROWS)
             put_surface(view_item(rows), source, i);
     }
-    view_flag(item, "has_heights", has_heights);
     view_flag(item, "has_bands", scene->fit != POWER_LAW_THESIS);
     if (scene->fit_band_m[0] > 0 || isfinite(scene->fit_band_m[1]))
         view_range(item, "fit_band_m", scene->fit_band_m[0], scene->fit_band_m[1]);

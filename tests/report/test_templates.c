@@ -167,7 +167,7 @@ TEST_CASE(templates_of_the_report_fill_in_documented_names)
         add_folder(all, folders[f][0], folders[f][1]);
         names += check_template(folders[f][0], text_string(all), folders[f][2], text_string(&document), is_documented);
     }
-    assert_true(names > 900);
+    assert_true(names > 800);
     text_free(&terminal);
     text_free(&document);
 }

@@ -291,8 +291,6 @@ static const struct {
     {"linear", "holds", "9", "9"},
     {"plastic_area", "holds", NULL, NULL},
     {"plastic_ecr", "holds", NULL, NULL},
-    {"gamma", "holds", "3", "3"},
-    {"convergence_by_gamma", "holds", NULL, NULL},
     {"beta", "holds", "6", "6"},
     {"beta_rank", "not_tested", "0", "0"},
     {"gamma_rank", "holds", "2", "2"},
@@ -344,7 +342,6 @@ TEST_WITH(a_finding_that_does_not_hold_fails, NULL, free_made)
     made_up_make(&made, NULL);
     made_up_sweep(&made, CONVERGENCE_ALPHA, "multiscale-elastic", 0, 0.1);
     made_up_again(&made);
-    assert_true(json_is_true(json_object_get(finding("convergence_by_gamma"), "in_part")));
 }
 
 /** What the thesis says of stiffness, of a shoulder at 3 times the load, and of its smoothest surface. */
