@@ -2,7 +2,6 @@
 /* What accuracy costs, which effects ran and why, how hard cases were kept stable: the user's three questions. */
 #include "report/view.h"
 
-#include "answers/direct_study.h"
 #include "results/accuracy.h"
 #include <math.h>
 
@@ -75,18 +74,16 @@ static void put_effects(json_t *out, const struct view_source *source)
     view_flag(out, "any_skipped", skipped != NULL);
 }
 
-/** Numbers that were limited, clamped or refused, and on which surface most. */
+/** Numbers that were limited, clamped or left out, and on which surface most. */
 static void put_stability(json_t *out, const struct view_source *source)
 {
     const struct results *results = source->results;
     uint64_t limited = 0, most_limited = 0;
-    size_t on = 0, outside = 0, refused_scans = 0, refused = 0, unsolved[2] = {0};
+    size_t on = 0, outside = 0, unsolved[2] = {0};
     double clamped = 0;
     for (size_t i = 0; i < results->surface_count; i++) {
         const struct surface_summary *s = view_summary(source, i);
         uint64_t own = 0;
-        refused += !s->usable;
-        refused_scans += s->refused_scans;
         for (int k = 0; k < 2; k++)
             unsolved[k] += s->strip_unsolved[k];
         for (size_t m = 0; m < model_count && s->usable; m++) {
@@ -112,10 +109,7 @@ static void put_stability(json_t *out, const struct view_source *source)
     view_counted(item, "outside", outside, NULL);
     view_counted(item, "unsolved_loads", unsolved[0], NULL);
     view_counted(item, "unsolved_scans", unsolved[1], NULL);
-    view_counted(item, "refused", refused, NULL);
-    view_counted(item, "refused_scans", refused_scans, NULL);
-    view_flag(item, "nothing",
-              limited == 0 && !(clamped > 1e-4) && refused + refused_scans + unsolved[0] + unsolved[1] == 0);
+    view_flag(item, "nothing", limited == 0 && !(clamped > 1e-4) && unsolved[0] + unsolved[1] == 0);
 }
 
 void view_accuracy(json_t *out, const struct view_source *source)
