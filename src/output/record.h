@@ -40,6 +40,9 @@ struct record_field {
         key, RECORD_##kind, RECORD_##when, offsetof(of, member), digits, unit                                          \
     }
 
+/** One of the unit that a field is shown in, in SI. */
+double record_unit(const struct record_field *field);
+
 /** A value of that kind. */
 json_t *record_value_json(enum record_kind kind, const void *at);
 /** The fields that are in JSON, as an object. */

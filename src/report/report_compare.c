@@ -218,14 +218,6 @@ static double shown_in(char unit[UNIT_LENGTH + 20], const struct compared *all, 
     return 1 / all->area_m2 / asked_prefix(unit, UNIT_LENGTH + 20, whole, value / all->area_m2);
 }
 
-static double field_shown_in(char unit[UNIT_LENGTH + 20], const struct record_field *field)
-{
-    struct unit shown = {.factor = 1};
-    asked_unit(unit, UNIT_LENGTH + 20, field->unit);
-    (void)unit_read(&shown, field->unit, strlen(field->unit));
-    return 1 / shown.factor;
-}
-
 /** A load as the first report's scene has it. */
 static void put_load(json_t *out, const struct compared *all, double pressure_Pa)
 {
@@ -325,7 +317,10 @@ static void add_number(json_t *view, struct compared *all, const char *name, con
         if (!(side.value > 0) || !isfinite(ratio))
             continue;
         json_t *line = view_item(lines), *shown = view_part(line, "shown");
-        scale = begun ? scale : field ? field_shown_in(unit, field) : shown_in(unit, all, number->quantity, side.value);
+        if (!begun && field)
+            asked_unit(unit, sizeof unit, field->unit);
+        if (!begun)
+            scale = field ? 1 / record_unit(field) : shown_in(unit, all, number->quantity, side.value);
         view_count(line, "report", k + 1);
         put_side(line, &side, scale);
         if (!begun)

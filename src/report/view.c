@@ -2,7 +2,6 @@
 #include "report/view.h"
 
 #include "base/number_format.h"
-#include "base/unit.h"
 #include "base/version.h"
 #include "output/json.h"
 #include <math.h>
@@ -73,20 +72,19 @@ void view_uncertain(json_t *out, const char *name, double value, double error)
         set_two(out, name, (const char *const[]){"value", "error"}, value, error);
 }
 
-void view_columns(json_t *heads, struct words *words, const struct record_field *fields)
+void view_columns(json_t *heads, struct words *words, const struct record_field *fields, unsigned when)
 {
     for (; fields->key; fields++)
-        if (fields->digits > 0)
+        if (fields->digits > 0 && (fields->when & (when | RECORD_CSV)))
             view_text(view_item(heads), "label", words_say(words, "column.%s", fields->key));
 }
 
-void view_cells(json_t *cells, const struct record_field *fields, const void *of)
+void view_cells(json_t *cells, const struct record_field *fields, unsigned when, const void *of)
 {
-    struct unit unit;
     for (; fields->key; fields++)
-        if (fields->digits > 0 && unit_read(&unit, fields->unit, strlen(fields->unit)))
+        if (fields->digits > 0 && (fields->when & (when | RECORD_CSV)))
             view_number(view_item(cells), "text",
-                        *(const double *)(const void *)((const char *)of + fields->offset) / unit.factor,
+                        *(const double *)(const void *)((const char *)of + fields->offset) / record_unit(fields),
                         fields->digits, "");
 }
 

@@ -54,9 +54,10 @@ void view_interval(json_t *out, const char *name, double low, double high, int d
  * value is not finite. */
 void view_range(json_t *out, const char *name, double least, double most);
 void view_uncertain(json_t *out, const char *name, double value, double error);
-/** The heads of the columns that a record's fields have in a table, and the cells below. */
-void view_columns(json_t *heads, struct words *words, const struct record_field *fields);
-void view_cells(json_t *cells, const struct record_field *fields, const void *of);
+/** The heads of the columns that a record's fields have in a table, those in data/ under the conditions `when`, and
+ * the cells below. */
+void view_columns(json_t *heads, struct words *words, const struct record_field *fields, unsigned when);
+void view_cells(json_t *cells, const struct record_field *fields, unsigned when, const void *of);
 void view_count(json_t *out, const char *name, size_t count);
 /** The same; nothing of 0. */
 void view_some(json_t *out, const char *name, size_t count);

@@ -40,7 +40,7 @@ static void put_surface(json_t *row, const struct view_source *source, size_t su
     const double wavelength_m = isfinite(shared_m) ? shared_m : law->wavelength_m;
     json_object_update_new(row, record_json(surface_fields, s));
     view_text(row, "surface", view_name(source, surface));
-    view_cells(view_list(row, "cells"), surface_fields, s);
+    view_cells(view_list(row, "cells"), surface_fields, tables_surface_when(source->results), s);
     view_count(row, "scans", s->scans);
     view_flag(row, "rows_of_a_map", repeats->count > 0 && repeats->scans == 1);
     view_some(row, "pieces", repeats->cut);
@@ -134,7 +134,7 @@ void view_surfaces(json_t *out, const struct view_source *source)
     const struct results *results = source->results;
     const struct scene *scene = results->scene;
     json_t *item = view_part(out, "surfaces"), *rows = view_list(item, "rows");
-    view_columns(view_list(item, "heads"), source->words, surface_fields);
+    view_columns(view_list(item, "heads"), source->words, surface_fields, tables_surface_when(results));
     view_flag(item, "gaps", plan_quantities(source->results->plan) & QUANTITY_BIT(QUANTITY_JOINT));
     size_t scans = 0, of_maps = 0, periodic = 0, windowed = 0, lawless = 0, last_lawless = 0;
     for (size_t i = 0; i < results->surface_count; i++) {
