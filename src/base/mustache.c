@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/mustache.h"
 #include "base/limits.h"
+#include "base/number_format.h"
+#include "base/unit.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -174,24 +176,60 @@ static const json_t *look_up(struct render *render, const char *start, size_t le
     return found;
 }
 
-static void add_value(struct render *render, const json_t *value, bool raw)
+/** A number, or an object of two: `least` and `most`, or `value` and `error`, with digits and in the unit that `how`
+ * says, "3 um", or as printf has it, "4g Pa". False: it says none. */
+static bool word_numbers(struct text *out, const json_t *value, const char *how, size_t length)
 {
-    char number[40];
-    const char *string = number;
+    static const char *const names[][2] = {{"least", "most"}, {"value", "error"}};
+    const bool uncertain = json_object_get(value, "error");
+    struct unit unit = {.factor = 1};
+    double shown[2];
+    char *rest;
+    int digits = (int)strtol(how, &rest, 10);
+    bool plain = *rest == 'g';
+    rest += plain;
+    rest += strspn(rest, " ");
+    if (digits < 1 || digits > 17 || (rest < how + length && !unit_read(&unit, rest, (size_t)(how + length - rest))))
+        return false;
+    for (int i = 0; i < 2; i++)
+        shown[i] = (json_number_value(json_is_object(value) ? json_object_get(value, names[uncertain][i]) : value) -
+                    unit.offset) /
+                   unit.factor;
+    if (uncertain)
+        number_format_uncertain(out, shown[0], shown[1]);
+    else if (plain)
+        text_add(out, "%.*g", digits, shown[0]);
+    else
+        number_format_range(out, shown[0], shown[1], digits);
+    return true;
+}
+
+/** The value of a {{variable}}, or of a {{number|3 um}}. */
+static enum status_code render_value(struct render *render, const struct token *token)
+{
+    const char *bar = memchr(token->start, '|', token->length);
+    const size_t length = bar ? (size_t)(bar - token->start) : token->length;
+    const json_t *value = look_up(render, token->start, length);
+    struct text words = {0};
+    if (bar && (json_is_number(value) || json_is_object(value)) &&
+        !word_numbers(&words, value, bar + 1, token->length - length - 1))
+        return status_fail(render->status, STATUS_USAGE, "'%s': no digits and unit: '%.*s'", render->name,
+                           first_line(token->start, token->length), token->start);
     if (json_is_string(value))
-        string = json_string_value(value);
-    else if (json_is_integer(value))
-        snprintf(number, sizeof number, "%lld", (long long)json_integer_value(value));
-    else if (json_is_real(value))
-        snprintf(number, sizeof number, "%.15g", json_real_value(value));
+        text_add(&words, "%s", json_string_value(value));
+    else if (json_is_integer(value) && !bar)
+        text_add(&words, "%lld", (long long)json_integer_value(value));
+    else if (json_is_real(value) && !bar)
+        text_add(&words, "%.15g", json_real_value(value));
     else if (json_is_boolean(value))
-        string = json_is_true(value) ? "true" : "false";
+        text_add(&words, "%s", json_is_true(value) ? "true" : "false");
+    if (token->kind == TOKEN_RAW || !render->how->escape)
+        text_add_bytes(render->out, text_string(&words), words.length);
     else
-        return;
-    if (raw || !render->how->escape)
-        text_add_bytes(render->out, string, strlen(string));
-    else
-        render->how->escape(render->out, string);
+        render->how->escape(render->out, text_string(&words));
+    render->out->failed |= words.failed;
+    text_free(&words);
+    return STATUS_OK;
 }
 
 static bool holds(const json_t *value)
@@ -275,7 +313,7 @@ static enum status_code render_tokens(struct render *render, const struct tokens
         if (token->kind == TOKEN_TEXT)
             text_add_bytes(render->out, token->start, token->length);
         else if (token->kind == TOKEN_VARIABLE || token->kind == TOKEN_RAW)
-            add_value(render, look_up(render, token->start, token->length), token->kind == TOKEN_RAW);
+            rc = render_value(render, token);
         else if (token->kind == TOKEN_PARTIAL)
             rc = render_partial(render, token);
         else if (token->kind != TOKEN_END) {

@@ -16,9 +16,11 @@ struct mustache {
     void *context;
 };
 
-/** Adds `source`, which messages call `name`, filled. An empty text counts as false, besides what the specification
- * says. Errors: STATUS_USAGE with name and line (a tag that is not closed, a section that does not end, partials
- * without end), with name what passes LIMIT_TEMPLATE_BYTES, LIMIT_TEMPLATE_STEPS or LIMIT_PAGE_BYTES; STATUS_MEMORY. */
+/** Adds `source`, which messages call `name`, filled. Besides what the specification says, an empty text counts as
+ * false, and {{name|3 um}} is a number of SI with three digits in that unit, of {least, most} both, of {value, error}
+ * the one ± the other; {{name|4g}} is as printf has it. Errors: STATUS_USAGE with name and line (a tag that is not
+ * closed, a section that does not end, partials without end), with name what passes LIMIT_TEMPLATE_BYTES,
+ * LIMIT_TEMPLATE_STEPS or LIMIT_PAGE_BYTES; STATUS_MEMORY. */
 MUST_CHECK enum status_code mustache_render(struct text *out, const char *source, const char *name,
                                             const struct mustache *how, struct status *status);
 

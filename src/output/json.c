@@ -19,7 +19,7 @@ static void set_word(json_t *object, const char *key, const char *word)
     json_object_set_new(object, key, json_string(word));
 }
 
-static json_t *material_json(const struct material *material)
+json_t *json_material(const struct material *material)
 {
     json_t *json = json_pack("{s:o}", "name", json_shown(material->name));
     for (size_t i = 0; i < material_property_count; i++) {
@@ -35,11 +35,10 @@ static json_t *counterface_json(const struct scene_bodies *bodies)
 {
     if (bodies->counterface_kind == MATERIAL_COUNTERFACE_RIGID)
         return json_string("rigid");
-    return isnan(bodies->counterface.youngs_modulus_Pa) ? json_null() : material_json(&bodies->counterface);
+    return isnan(bodies->counterface.youngs_modulus_Pa) ? json_null() : json_material(&bodies->counterface);
 }
 
-/** What the scene says lies in and around the spots, of the effects that run. */
-static json_t *joint_json(const struct results *results)
+json_t *json_joint(const struct results *results)
 {
     const struct joint *joint = &results->scene->joint;
     json_t *json = json_object();
@@ -93,7 +92,7 @@ static json_t *scene_json(const struct results *results)
             json_object_set_new(json, said.key, record_value_json(kinds[said.kind], said.at));
     json_object_set_new(json, "models", models);
     json_object_set_new(json, "effects", effects);
-    json_object_set_new(json, "material", pair.unknown ? json_null() : material_json(&bodies->material));
+    json_object_set_new(json, "material", pair.unknown ? json_null() : json_material(&bodies->material));
     json_object_set_new(json, "counterface", counterface_json(bodies));
     json_set_all(json, "loads_over_AnEp", results->loads, results->loads_apart ? 0 : results->load_count);
     if (scene->load.unit_text[0])
@@ -102,7 +101,7 @@ static json_t *scene_json(const struct results *results)
     if (results->usable_count > 0)
         json_set(json, "operating_load_over_AnEp", results_operating_load(results, results->baseline));
     if (scene->called & results->plan->running)
-        json_object_set_new(json, "joint", joint_json(results));
+        json_object_set_new(json, "joint", json_joint(results));
     json_set_all(json, "shape_size_m", scene->joint.size_m,
                  scene->joint.bulge_per_m > 0 || scene->joint.fields ? 2 : 0);
     json_set(json, "shape_force_N", scene->joint.pressed ? scene->joint.fields->mean * scene->nominal_area_m2 : NAN);
@@ -287,7 +286,7 @@ static json_t *surface_json(const struct results *results, size_t index, struct 
     json_t *json = json_pack("{s:o, s:o, s:s, s:s, s:s}", "surface", json_shown(s->scene->name), "files",
                              files_json(&s->scene->files), "sha256", s->hash, "format", s->format, "units", s->units);
     if (s->scene->bodies.material_given || s->scene->bodies.counterface_given) {
-        json_object_set_new(json, "material", material_json(&s->scene->bodies.material));
+        json_object_set_new(json, "material", json_material(&s->scene->bodies.material));
         json_object_set_new(json, "counterface", counterface_json(&s->scene->bodies));
         json_set(json, "effective_modulus_Pa", s->pair.effective_modulus_Pa);
     }

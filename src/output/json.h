@@ -14,4 +14,9 @@ MUST_CHECK enum status_code json_write(const struct results *results, const stru
  * `undecided_limits` (or without a value) among them. To be released with json_decref(); NULL: out of memory. */
 json_t *json_outline(const struct results *results);
 
+/* Parts of it that the report words too; new. */
+json_t *json_material(const struct material *material);
+/** What the scene says lies in and around the spots, of the effects that run. */
+json_t *json_joint(const struct results *results);
+
 #endif

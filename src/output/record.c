@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "output/record.h"
 
+#include "base/unit.h"
 #include <math.h>
 #include <string.h>
 
@@ -47,6 +48,12 @@ json_t *json_numbers(const double *values, size_t count)
 void json_set_all(json_t *object, const char *key, const double *values, size_t count)
 {
     json_object_set_new(object, key, json_numbers(values, count));
+}
+
+double record_unit(const struct record_field *field)
+{
+    struct unit unit;
+    return unit_read(&unit, field->unit, strlen(field->unit)) ? unit.factor : 1;
 }
 
 json_t *record_value_json(enum record_kind kind, const void *at)

@@ -26,14 +26,22 @@ struct record_field {
     const char *key;
     enum record_kind kind;
     unsigned when;
-    size_t offset; /* in what the record is of */
+    size_t offset;    /* in what the record is of */
+    int digits;       /* in the report's table of such records; 0: it has no column there */
+    const char *unit; /* it is shown in */
 };
 
-/** RECORD_FIELD(struct surface_summary, NUMBER, "rq_m", roughness.rq_m, ALWAYS) */
-#define RECORD_FIELD(of, kind, key, member, when)                                                                      \
+/** RECORD_FIELD(struct surface_summary, NUMBER, "points", points, ALWAYS) */
+#define RECORD_FIELD(of, kind, key, member, when) RECORD_SHOWN(of, kind, key, member, when, 0, "")
+/** RECORD_SHOWN(struct surface_summary, NUMBER, "rq_m", roughness.rq_m, ALWAYS, 3, "um"): it also heads a column, in
+ * the words `column.rq_m`, and `compare` tells where it differs. */
+#define RECORD_SHOWN(of, kind, key, member, when, digits, unit)                                                        \
     {                                                                                                                  \
-        key, RECORD_##kind, RECORD_##when, offsetof(of, member)                                                        \
+        key, RECORD_##kind, RECORD_##when, offsetof(of, member), digits, unit                                          \
     }
+
+/** One of the unit that a field is shown in, in SI. */
+double record_unit(const struct record_field *field);
 
 /** A value of that kind. */
 json_t *record_value_json(enum record_kind kind, const void *at);

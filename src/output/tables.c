@@ -11,12 +11,13 @@
 #include <string.h>
 
 #define SURFACE(...) RECORD_FIELD(struct surface_summary, __VA_ARGS__)
+#define SHOWN(...)   RECORD_SHOWN(struct surface_summary, __VA_ARGS__)
 const struct record_field surface_fields[] = {
     SURFACE(COUNT, "points", points, ALWAYS),
     SURFACE(NUMBER, "spacing_m", spacing_m, ALWAYS),
     SURFACE(NUMBER, "scan_length_m", length_m, ALWAYS),
-    SURFACE(NUMBER, "rq_m", roughness.rq_m, ALWAYS),
-    SURFACE(NUMBER, "ra_m", roughness.ra_m, ALWAYS),
+    SHOWN(NUMBER, "rq_m", roughness.rq_m, ALWAYS, 3, "um"),
+    SHOWN(NUMBER, "ra_m", roughness.ra_m, ALWAYS, 3, "um"),
     SURFACE(NUMBER, "pv_m", roughness.pv_m, JSON),
     SURFACE(NUMBER, "m0_m2", roughness.m0_m2, ALWAYS),
     SURFACE(NUMBER, "m2", roughness.m2, ALWAYS),
@@ -206,6 +207,11 @@ static enum status_code table_close(struct table *table, struct status *status)
     return status->code;
 }
 
+unsigned tables_surface_when(const struct results *results)
+{
+    return plan_uses_asperities(results->plan) ? RECORD_ASPERITIES : 0;
+}
+
 static void fill_surface(struct table *table, const struct results *results, size_t index)
 {
     const struct plan *plan = results->plan;
@@ -217,7 +223,7 @@ static void fill_surface(struct table *table, const struct results *results, siz
         text_add(&files, "%s%s", f > 0 ? ";" : "", s->scene->files.path[f]);
     put_text(table, "surface", s->scene->name);
     put_text(table, "files", text_string(&files));
-    put_fields(table, surface_fields, s, plan_uses_asperities(plan) ? RECORD_ASPERITIES : 0);
+    put_fields(table, surface_fields, s, tables_surface_when(results));
     put_number(table, "heights_factor_ecr", comparison_heights_factor(results, index, QUANTITY_ECR));
     for (size_t m = 0; m < model_count; m++)
         if (plan_runs_model(plan, m) && (model_rows[m]->quantities & QUANTITY_BIT(QUANTITY_ADJUSTED)))

@@ -32,6 +32,8 @@ json_t *tables_limits_json(const struct results *results);
 
 /** What is said of a surface, of its repeated scans and of an answer, in data/ and in results.json. */
 extern const struct record_field surface_fields[], repeats_fields[], answer_fields[], limit_fields[];
+/** The conditions that columns of surfaces are there under: bits of `when`. */
+unsigned tables_surface_when(const struct results *results);
 /** Number `which` of a curve that may be known by an interval (curve_summary_estimate()); NULL: it never is. */
 const char *tables_estimate_key(int which);
 

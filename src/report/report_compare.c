@@ -2,7 +2,7 @@
 /* Finished reports side by side, from their results.json. That may be anything: what is not there is NaN or "". */
 #include "base/limits.h"
 #include "base/words.h"
-#include "output/json.h"
+#include "output/tables.h"
 #include "report/report.h"
 #include "report/view.h"
 #include "results/asked.h"
@@ -75,7 +75,13 @@ static const char *model_of(const struct compared *all, size_t k)
     return same ? own : all->leading;
 }
 
-/** A number of a surface in a report. */
+/** A number that the reports have of each surface: of its record, else of the models. */
+struct number {
+    const struct record_field *field; /* NULL: the quantity */
+    enum quantity quantity;
+};
+
+/** It in a report. */
 struct side {
     const char *scans;     /* their hash */
     double pressure_Pa;    /* P/A_n of the report's operating load; P/(A_n E') where no material is known */
@@ -104,16 +110,21 @@ static double on_curve(const json_t *values, size_t before, double share)
 }
 
 /** At the pressure of `reference`; NULL: at its own operating load. */
-static struct side side_of(const struct compared *all, size_t k, const char *name, enum quantity quantity,
+static struct side side_of(const struct compared *all, size_t k, const char *name, const struct number *number,
                            const struct side *reference)
 {
+    const enum quantity quantity = number->quantity;
     const json_t *surface = json_object_get(all->surfaces[k], name), *model = get(surface, "models", model_of(all, k));
     const json_t *operating = json_object_get(model, "operating");
     double own_Pa = real(json_object_get(surface, "effective_modulus_Pa"));
     double all_Pa = real(get(all->results[k], "scene", "effective_modulus_Pa"));
     double modulus_Pa = own_Pa > 0 ? own_Pa : all_Pa > 0 ? all_Pa : 1;
     struct contact_point at;
-    struct side out = {.scans = string(surface, "sha256"), .known = estimate_none};
+    struct side out = {.scans = string(surface, "sha256"), .ends = {NAN, NAN}, .known = estimate_none};
+    if (number->field) {
+        out.value = real(json_object_get(surface, number->field->key));
+        return out;
+    }
     out.pressure_Pa = real(json_object_get(operating, quantity_rows[QUANTITY_LOAD].name)) * modulus_Pa;
     out.elsewhere = reference && !(fabs(out.pressure_Pa / reference->pressure_Pa - 1) < 1e-9);
     size_t before = 0;
@@ -157,7 +168,8 @@ static enum status_code take_ranked(struct compared *all, size_t k, const char *
         bool begun = all->ranked_count > 0;
         for (size_t c = begun ? 2 : 0; !(side.value > 0) && c < 3; c++) {
             all->criterion = begun ? all->criterion : criteria[c];
-            side = side_of(all, k, name, all->criterion, begun ? &all->ranked[0].side : NULL);
+            side = side_of(all, k, name, &(struct number){.quantity = all->criterion},
+                           begun ? &all->ranked[0].side : NULL);
         }
         if (!(side.value > 0) || !isfinite(side.value)) {
             if (all->without_count++ < NAMED_MOST) {
@@ -224,6 +236,25 @@ static void put_load(json_t *out, const struct compared *all, double pressure_Pa
                     all->area_m2 > 0 ? "N" : "MPa");
 }
 
+/** A line's value with its interval, in SI and as shown. */
+static void put_side(json_t *line, const struct side *side, double scale)
+{
+    json_t *shown = json_object_get(line, "shown");
+    json_set(line, "value", side->value);
+    json_set(line, "low_95", side->ends[0]);
+    json_set(line, "high_95", side->ends[1]);
+    view_number(shown, "value", side->value * scale, 3, "");
+    view_interval(shown, "interval", side->ends[0] * scale, side->ends[1] * scale, 2);
+}
+
+/** What a test of a line against another found. */
+static void put_p(json_t *line, double p)
+{
+    if (isfinite(p))
+        json_set(line, "p", p);
+    view_number(json_object_get(line, "shown"), "p", p, 2, "");
+}
+
 /** Ranks the surfaces of all reports, by the test that a report has for its own. */
 static enum status_code add_ranking(json_t *view, struct compared *all, struct status *status)
 {
@@ -250,14 +281,11 @@ static enum status_code add_ranking(json_t *view, struct compared *all, struct s
         char letters[RANKING_LETTERS + 1] = "";
         bool tested = side->known.count > 0;
         view_count(line, "rank", i + 1);
-        json_object_set_new(line, "value", json_finite(side->value));
-        view_number(shown, "value", side->value * scale, 3, "");
-        view_interval(shown, "interval", side->ends[0] * scale, side->ends[1] * scale, 2);
+        put_side(line, side, scale);
         view_number(shown, "ratio", side->value / all->ranked[0].side.value, 3, "");
         if (tested && place > 0) { /* against the best of those tested */
             const struct comparison_pair *pair = comparison_pair_of(&ranking, 0, place);
-            json_object_set_new(line, "p", json_real(pair->p));
-            view_number(shown, "p", pair->p, 2, "");
+            put_p(line, pair->p);
             view_flag(line, "worse", comparison_told_apart(pair));
         }
         if (tested && ranking.groups.surfaces > 0)
@@ -271,52 +299,57 @@ static enum status_code add_ranking(json_t *view, struct compared *all, struct s
     return rc;
 }
 
-/** Adds a number of a surface, a line for each report that has it; nothing where only one has. */
-static void add_number(json_t *view, struct compared *all, const char *name, enum quantity quantity)
+/** Adds a number of a surface, a line for each report that has it; nothing where only one has, and of the record
+ * nothing where all are the same. */
+static void add_number(json_t *view, struct compared *all, const char *name, const struct number *number)
 {
+    const struct record_field *field = number->field;
     char unit[UNIT_LENGTH + 20] = "";
     double scale = 1;
+    bool differ = false;
     json_t *lines = json_array();
     struct side first;
     for (size_t k = 0; k < all->count; k++) {
         bool begun = json_array_size(lines) > 0;
-        struct side side = side_of(all, k, name, quantity, begun ? &first : NULL);
+        struct side side = side_of(all, k, name, number, begun ? &first : NULL);
         first = begun ? first : side;
         double ratio = side.value / first.value, apart = fabs(ratio - 1);
         if (!(side.value > 0) || !isfinite(ratio))
             continue;
         json_t *line = view_item(lines), *shown = view_part(line, "shown");
-        scale = begun ? scale : shown_in(unit, all, quantity, side.value);
-        all->items++;
+        if (!begun && field)
+            asked_unit(unit, sizeof unit, field->unit);
+        if (!begun)
+            scale = field ? 1 / record_unit(field) : shown_in(unit, all, number->quantity, side.value);
         view_count(line, "report", k + 1);
-        json_object_set_new(line, "value", json_finite(side.value));
-        json_object_set_new(line, "low_95", json_finite(side.ends[0]));
-        json_object_set_new(line, "high_95", json_finite(side.ends[1]));
-        view_number(shown, "value", side.value * scale, 3, "");
-        view_interval(shown, "interval", side.ends[0] * scale, side.ends[1] * scale, 2);
+        put_side(line, &side, scale);
         if (!begun)
             continue;
         bool same = apart <= all->tie, same_scans = side.scans[0] && strcmp(side.scans, first.scans) == 0;
         struct comparison_pair pair = {.p = NAN};
         if (!same && !same_scans && side.known.count > 0 && first.known.count > 0)
             pair = comparison_of_two(&side.known, &first.known);
-        json_object_set_new(line, "ratio", json_finite(ratio));
-        if (isfinite(pair.p))
-            json_object_set_new(line, "p", json_real(pair.p));
+        json_set(line, "ratio", ratio);
         view_number(shown, "ratio", same ? 1 : ratio, same ? 3 : (int)fmax(3, 1 - floor(log10(apart))), "");
-        view_number(shown, "p", pair.p, 2, "");
+        put_p(line, pair.p);
         const char *tested = comparison_told_apart(&pair) ? "significant" : "not_significant";
         tested = isnan(pair.p) ? "undecided" : tested;
         view_flag(line, same ? "same" : same_scans ? "same_scans" : tested, true);
-        all->differ = all->differ || !same;
+        differ = differ || !same;
         all->loads_differ = all->loads_differ || side.elsewhere;
     }
     view_separate(lines);
-    if (json_array_size(lines) > 1)
+    if (differ || !field)
+        all->items += json_array_size(lines);
+    if (json_array_size(lines) > 1 && (differ || !field)) {
+        const char *key = field ? field->key : quantity_shown_name(number->quantity);
         json_array_append_new(view_list(view, "numbers"),
-                              json_pack("{s:s, s:s, s:s, s:O}", "quantity", quantity_shown_name(quantity), "symbol",
-                                        quantity_rows[quantity].short_symbol, "unit", unit, "lines", lines));
-    all->any = all->any || json_array_size(lines) > 1;
+                              json_pack("{s:s, s:s, s:s, s:O}", "quantity", key, "symbol",
+                                        field ? key : quantity_rows[number->quantity].short_symbol, "unit", unit,
+                                        "lines", lines));
+        all->any = true;
+    }
+    all->differ = all->differ || differ;
     json_decref(lines);
 }
 
@@ -394,7 +427,10 @@ static void add_surface(json_t *view, struct compared *all, const char *name)
         add_input(view, all, of, name, keys[i]);
     for (int q = 0; q < QUANTITY_COUNT; q++)
         if (quantity_rows[q].handy.scale > 0)
-            add_number(item, all, name, (enum quantity)q);
+            add_number(item, all, name, &(struct number){.quantity = (enum quantity)q});
+    for (const struct record_field *field = surface_fields; field->key; field++)
+        if (field->digits > 0)
+            add_number(item, all, name, &(struct number){.field = field});
     view_separate(json_object_get(item, "numbers"));
 }
 
@@ -489,7 +525,7 @@ static enum status_code add_report(json_t *view, struct compared *all, const cha
     tolerance = real(get(results, "scene", "tolerance"));
     if (tolerance > 0 && tolerance <= 0.1)
         all->tie = fmax(all->tie, 2 * tolerance); /* each side has its own error */
-    json_object_set_new(item, "pressure_Pa", json_finite(load * modulus_Pa));
+    json_set(item, "pressure_Pa", load * modulus_Pa);
     if (isnan(modulus_Pa))
         view_number(item, "load", load, 3, "P/(Aₙ E′)");
     add_model(all->models, label_of(model_of(all, all->count - 1)));

@@ -52,14 +52,40 @@ void view_interval(json_t *out, const char *name, double low, double high, int d
     set_text(out, name, &text);
 }
 
-void view_range(json_t *out, const char *name, double least, double most, int digits, const char *unit)
+/** An object of two numbers, for templates to word. */
+static void set_two(json_t *out, const char *name, const char *const keys[2], double first, double second)
 {
-    struct text text = {0};
-    if (!isfinite(least) || !isfinite(most))
-        return;
-    number_format_range(&text, least, most, digits);
-    add_unit(&text, unit);
-    set_text(out, name, &text);
+    json_t *part = view_part(out, name);
+    json_set(part, keys[0], first);
+    json_set(part, keys[1], second);
+}
+
+void view_range(json_t *out, const char *name, double least, double most)
+{
+    if (isfinite(least) && isfinite(most))
+        set_two(out, name, (const char *const[]){"least", "most"}, least, most);
+}
+
+void view_uncertain(json_t *out, const char *name, double value, double error)
+{
+    if (isfinite(value))
+        set_two(out, name, (const char *const[]){"value", "error"}, value, error);
+}
+
+void view_columns(json_t *heads, struct words *words, const struct record_field *fields, unsigned when)
+{
+    for (; fields->key; fields++)
+        if (fields->digits > 0 && (fields->when & (when | RECORD_CSV)))
+            view_text(view_item(heads), "label", words_say(words, "column.%s", fields->key));
+}
+
+void view_cells(json_t *cells, const struct record_field *fields, unsigned when, const void *of)
+{
+    for (; fields->key; fields++)
+        if (fields->digits > 0 && (fields->when & (when | RECORD_CSV)))
+            view_number(view_item(cells), "text",
+                        *(const double *)(const void *)((const char *)of + fields->offset) / record_unit(fields),
+                        fields->digits, "");
 }
 
 void view_count(json_t *out, const char *name, size_t count)

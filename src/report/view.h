@@ -5,6 +5,7 @@
 #define REPORT_VIEW_H
 
 #include "chart/figures.h"
+#include "output/record.h"
 #include "results/asked.h"
 #include "results/comparison.h"
 #include <jansson.h>
@@ -49,8 +50,14 @@ void view_text(json_t *out, const char *name, const char *string);
 void view_number(json_t *out, const char *name, double value, int digits, const char *unit);
 /** "0.15 … 1.1": nothing where an end is not known or both read alike. */
 void view_interval(json_t *out, const char *name, double low, double high, int digits);
-/** "0.15 to 1.1", or one number where both read alike; nothing where none is finite. */
-void view_range(json_t *out, const char *name, double least, double most, int digits, const char *unit);
+/** Sets two numbers, for templates to word: `least` and `most`, or `value` and `error`; nothing where least, most or
+ * value is not finite. */
+void view_range(json_t *out, const char *name, double least, double most);
+void view_uncertain(json_t *out, const char *name, double value, double error);
+/** The heads of the columns that a record's fields have in a table, those in data/ under the conditions `when`, and
+ * the cells below. */
+void view_columns(json_t *heads, struct words *words, const struct record_field *fields, unsigned when);
+void view_cells(json_t *cells, const struct record_field *fields, unsigned when, const void *of);
 void view_count(json_t *out, const char *name, size_t count);
 /** The same; nothing of 0. */
 void view_some(json_t *out, const char *name, size_t count);

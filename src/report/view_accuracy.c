@@ -2,7 +2,6 @@
 /* What accuracy costs, which effects ran and why, how hard cases were kept stable: the user's three questions. */
 #include "report/view.h"
 
-#include "answers/direct_study.h"
 #include "results/accuracy.h"
 #include <math.h>
 
@@ -17,36 +16,28 @@ static void put_seconds(json_t *out, const char *name, double seconds)
         view_number(out, name, seconds / 60, 2, "min");
 }
 
-/** Each model's error of what is asked, and its time; those that no other betters at its price. */
+/** Each model's error of what is asked, and its time. */
 static void put_models(json_t *out, const struct view_source *source)
 {
     const enum quantity quantity = source->asked.quantity;
-    json_t *rows = view_list(out, "models"), *best = view_list(out, "best");
-    double finest = 0, coarsest = 0, solved = 0, dearer[64];
+    json_t *rows = view_list(out, "models");
+    double finest = 0, coarsest = 0, solved = 0;
     for (size_t m = 0; m < model_count; m++) {
         const struct accuracy accuracy = accuracy_of(source->results, m, quantity);
         if (!accuracy.known)
             continue;
         json_t *row = view_item(rows);
         view_text(row, "label", model_rows[m]->label);
-        view_number(row, "factor", model_factor(accuracy.sd), 2, "");
-        view_number(row, "here", accuracy.here, 2, "");
+        json_set(row, "factor", model_factor(accuracy.sd));
+        json_set(row, "here", accuracy.here);
         put_seconds(row, "time", accuracy.seconds[accuracy.used]);
-        if (accuracy_is_best(source->results, m, quantity)) { /* the dearest first */
-            size_t at = json_array_size(best);
-            for (; at > 0 && dearer[at - 1] < accuracy.seconds[accuracy.used]; at--)
-                dearer[at] = dearer[at - 1];
-            dearer[at] = accuracy.seconds[accuracy.used];
-            json_array_insert(best, at, row);
-        }
         coarsest += accuracy.seconds[0];
         finest += accuracy.seconds[BENCHMARK_STEPS - 1];
         solved = fmax(solved, accuracy.seconds[accuracy.used]);
     }
     const double few_waves = accuracy_few_waves_sd(source->results, source->results->baseline);
     if (few_waves > log(1.05))
-        view_number(out, "few_waves", model_factor(few_waves), 2, "");
-    view_separate(best);
+        json_set(out, "few_waves", model_factor(few_waves));
     view_flag(out, "digits_are_free", finest - coarsest < 0.1 * solved);
     put_seconds(out, "digits", fmax(finest - coarsest, 0)); /* two timings: the finer may happen to be faster */
 }
@@ -58,11 +49,7 @@ static void put_change(json_t *item, const struct view_source *source, enum effe
     const bool alike = fabs(factor - 1) < 5e-3;
     view_flag(item, "adds", effect_rows[effect].adds);
     view_flag(item, "studies", effect_rows[effect].studies);
-    view_number(item, alike ? "change" : "factor",
-                alike                      ? factor - 1
-                : source->asked.reciprocal ? 1 / factor
-                                           : factor,
-                alike ? 1 : 2, "");
+    json_set(item, alike ? "change" : "factor", alike ? factor - 1 : source->asked.reciprocal ? 1 / factor : factor);
 }
 
 static void put_effects(json_t *out, const struct view_source *source)
@@ -87,18 +74,16 @@ static void put_effects(json_t *out, const struct view_source *source)
     view_flag(out, "any_skipped", skipped != NULL);
 }
 
-/** Numbers that were limited, clamped or refused, and on which surface most. */
+/** Numbers that were limited, clamped or left out, and on which surface most. */
 static void put_stability(json_t *out, const struct view_source *source)
 {
     const struct results *results = source->results;
     uint64_t limited = 0, most_limited = 0;
-    size_t on = 0, outside = 0, refused_scans = 0, refused = 0, unsolved[2] = {0};
+    size_t on = 0, outside = 0, unsolved[2] = {0};
     double clamped = 0;
     for (size_t i = 0; i < results->surface_count; i++) {
         const struct surface_summary *s = view_summary(source, i);
         uint64_t own = 0;
-        refused += !s->usable;
-        refused_scans += s->refused_scans;
         for (int k = 0; k < 2; k++)
             unsolved[k] += s->strip_unsolved[k];
         for (size_t m = 0; m < model_count && s->usable; m++) {
@@ -120,19 +105,16 @@ static void put_stability(json_t *out, const struct view_source *source)
     if (limited > 0)
         view_text(item, "limited_on", view_name(source, on));
     if (clamped > 1e-4)
-        view_number(item, "clamped_percent", 100 * clamped, 2, "");
+        json_set(item, "clamped", clamped);
     view_counted(item, "outside", outside, NULL);
     view_counted(item, "unsolved_loads", unsolved[0], NULL);
     view_counted(item, "unsolved_scans", unsolved[1], NULL);
-    view_counted(item, "refused", refused, NULL);
-    view_counted(item, "refused_scans", refused_scans, NULL);
-    view_flag(item, "nothing",
-              limited == 0 && !(clamped > 1e-4) && refused + refused_scans + unsolved[0] + unsolved[1] == 0);
+    view_flag(item, "nothing", limited == 0 && !(clamped > 1e-4) && unsolved[0] + unsolved[1] == 0);
 }
 
 void view_accuracy(json_t *out, const struct view_source *source)
 {
-    view_number(out, "tolerance", source->results->scene->tolerance, 1, "");
+    json_set(out, "tolerance", source->results->scene->tolerance);
     if (source->results->benchmark)
         put_models(view_part(out, "accuracy"), source);
     put_effects(out, source);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The findings of the thesis's chapter 6, each checked on these surfaces by the thesis's models. A further one is a row
- * of `checks`, which says what is held against what, and its words in templates/findings.md. */
+ * of `checks`, which says what is held against what, and its line in templates/words.txt. */
 #include "report/view.h"
 
 #include <math.h>
@@ -35,7 +35,6 @@ enum number {
     FIELD, /* of the curve's summary */
     ELBOW, /* its load over that of full contact; none at the first load or below */
     FROM_LAW,
-    CONVERGES, /* 1 or 0; none where nothing tells */
     LAW_GAMMA,
     LAW_AMPLITUDE, /* log10 */
     TIMES,         /* the other curve over this one, in the mean over the loads */
@@ -60,7 +59,7 @@ enum {
 
 struct check {
     const char *part;                             /* of the thesis */
-    const char *name;                             /* a flag, for the template's words */
+    const char *name;                             /* its words are finding.NAME */
     unsigned effects;                             /* EFFECT_BITs it needs */
     unsigned models;                              /* that it needs: the bits above */
     size_t surfaces;                              /* that it takes at least */
@@ -172,8 +171,6 @@ static double number_of(const struct finding *f, size_t m, size_t k)
         return curve->elbow_load > curve->first_load ? curve->elbow_load / curve->full_load : NAN;
     case FROM_LAW:
         return fmax(curve->law_factor, 1 / curve->law_factor);
-    case CONVERGES:
-        return surface_tells_gamma(summary) ? !surface_diverges(summary) : NAN;
     case LAW_GAMMA:
         return power_law_holds(law) ? law->gamma : NAN;
     case LAW_AMPLITUDE:
@@ -274,33 +271,18 @@ static void check_together(struct finding *f, size_t k)
         add_case(&f->own, 2 * fabs(first), fabs(number_of(f, f->m, k)), 0, false);
 }
 
-/** Does the area converge where γ ≥ 1, whatever α is? */
-static void check_sweeps(struct finding *f, size_t k)
-{
-    (void)k;
-    for (int s = 0; s < CONVERGENCE_SWEEP_COUNT; s++)
-        for (size_t v = 0; v < convergence_sweeps[s].count; v++) {
-            bool should = s == CONVERGENCE_ALPHA || convergence_sweeps[s].values[v] >= 1;
-            bool does = comparison_converges(f->source->results, (enum convergence_sweep)s, f->m, v);
-            add(&f->own, does == should);
-        }
-}
-
 enum {
     PLASTIC = EFFECT_BIT(EFFECT_PLASTICITY),
     SEPARATION = EFFECT_BIT(EFFECT_SEPARATION),
     ELECTRICAL = EFFECT_BIT(EFFECT_ELECTRICAL),
     THERMAL = EFFECT_BIT(EFFECT_THERMAL),
     SCALE_DEPENDENT = EFFECT_BIT(EFFECT_SCALE_DEPENDENT),
-    CONVERGENCE = EFFECT_BIT(EFFECT_CONVERGENCE),
     STIFFNESS = EFFECT_BIT(EFFECT_STIFFNESS),
 };
 
 #define OF(name) .field = offsetof(struct curve_summary, name)
 
 static const struct check checks[] = {
-    {"6.2", "convergence_by_gamma", CONVERGENCE, SCALES, 1, check_sweeps, .is = WHOLE},
-    {"6.2", "gamma", 0, SCALES, 1, check_number, .is = ONCE, .number = CONVERGES, .low = 0.5, .high = INFINITY},
     {"6.3.1", "linear", 0, 0, 1, check_number, OF(area_slope), .scale = 1, .low = 0.9, .high = 1.1},
     {"6.3.1", "plastic_area", PLASTIC, 0, 1, check_loads, ELASTIC, .quantity = QUANTITY_AREA, .scale = 1},
     {"6.3.2", "closed", SEPARATION, SCALES, 1, check_number, OF(gap_at_full), .scale = 1, .low = -INFINITY,
@@ -418,7 +400,7 @@ static void check_model(struct finding *f, json_t *numbers, json_t *opposed, siz
         return;
     json_t *item = view_item(numbers);
     view_text(item, "label", model_rows[f->row->number == SHOULDER ? f->other : m]->label);
-    view_range(item, "range", f->least, f->most, 2, "");
+    view_range(item, "range", f->least, f->most);
 }
 
 void view_findings(json_t *out, const struct view_source *source)
@@ -445,7 +427,8 @@ void view_findings(json_t *out, const struct view_source *source)
         view_separate(numbers);
         view_separate(opposed);
         view_text(item, "part", row->part);
-        view_flag(item, row->name, true);
+        view_text(item, "name", row->name);
+        view_text(item, "finding", words_say(source->words, "finding.%s", row->name));
         view_count(item, "good", good);
         view_count(item, "all", all);
         view_some(item, "ties", finding.all.ties);

@@ -57,17 +57,6 @@ struct accuracy accuracy_of(const struct results *results, size_t model, enum qu
     return out;
 }
 
-bool accuracy_is_best(const struct results *results, size_t model, enum quantity quantity)
-{
-    const struct accuracy own = accuracy_of(results, model, quantity);
-    for (size_t m = 0; m < model_count; m++) {
-        const struct accuracy other = accuracy_of(results, m, quantity);
-        if (other.known && other.seconds[other.used] <= own.seconds[own.used] && other.sd < own.sd)
-            return false;
-    }
-    return own.known;
-}
-
 double accuracy_effect_factor(const struct results *results, enum effect effect, enum quantity quantity)
 {
     const size_t leading = plan_leading_model(results->plan), surface = results->baseline;

@@ -26,7 +26,4 @@ double accuracy_few_waves_sd(const struct results *results, size_t surface);
  * value with it over that without. NaN: it has none to change. */
 double accuracy_effect_factor(const struct results *results, enum effect effect, enum quantity quantity);
 
-/** May the model be named as a way to so much accuracy: is no other at most as dear, and better? */
-bool accuracy_is_best(const struct results *results, size_t model, enum quantity quantity);
-
 #endif

@@ -32,22 +32,6 @@ double comparison_heights_factor(const struct results *results, size_t surface, 
     return isfinite(factor) ? factor : NAN; /* a filler keeps the metals apart in one of them */
 }
 
-/** Takes the surface's values in the leading model at the middle load. */
-static void note_middle(struct comparison *out, const struct results *results, size_t surface)
-{
-    const struct contact_point point = comparison_middle(results, out->leading, surface);
-    for (int q = 0; q < QUANTITY_COUNT; q++) {
-        struct comparison_extent *extent = &out->extremes[q];
-        double value = comparison_value(&point, (enum quantity)q, out->leading,
-                                        results->surfaces[surface].summary.asperities.sigma_m);
-        if (!isfinite(value))
-            continue;
-        extent->least = extent->count > 0 ? fmin(extent->least, value) : value;
-        extent->most = fmax(extent->most, value);
-        extent->count++;
-    }
-}
-
 struct comparison_pair comparison_of_two(const struct estimate *a, const struct estimate *b)
 {
     const struct interval first = {.mean = a->mean, .s = a->s, .degrees = a->degrees},
@@ -139,7 +123,9 @@ static enum status_code rank(struct comparison *out, const struct results *resul
 {
     struct comparison_ranking *ranking = &out->ranking;
     ranking->criterion = results_criterion(results);
-    size_t surfaces = out->extremes[ranking->criterion].count;
+    size_t surfaces = 0;
+    for (size_t k = 0; k < results->usable_count; k++)
+        surfaces += isfinite(cost_of(out, results, results->by_roughness[k])) ? 1 : 0;
     if (surfaces == 0 || surfaces > COMPARISON_RANKED_MOST)
         return STATUS_OK;
     const struct estimate *estimates[COMPARISON_RANKED_MOST];
@@ -164,8 +150,6 @@ static enum status_code rank(struct comparison *out, const struct results *resul
 enum status_code comparison_make(struct comparison *out, const struct results *results, struct status *status)
 {
     *out = (struct comparison){.leading = plan_leading_model(results->plan)};
-    for (size_t k = 0; k < results->usable_count; k++)
-        note_middle(out, results, results->by_roughness[k]);
     return rank(out, results, status);
 }
 

@@ -6,12 +6,6 @@
 #include "results/results.h"
 #include "statistics/ranking.h"
 
-/** Least and largest value over the surfaces that have one. */
-struct comparison_extent {
-    double least, most;
-    size_t count; /* 0: none, and the rest says nothing */
-};
-
 /** How two surfaces compare, by Welch's test. */
 struct comparison_pair {
     enum ranking_verdict verdict;
@@ -34,7 +28,6 @@ struct comparison_ranking {
 struct comparison {
     struct comparison_ranking ranking;
     size_t leading; /* the model the summary speaks of: the running one of the greatest precedence */
-    struct comparison_extent extremes[QUANTITY_COUNT]; /* of the surfaces in it, at the middle load, as shown */
 };
 
 /** End it with comparison_free() whatever comes back. Errors: STATUS_IO, STATUS_MEMORY. */

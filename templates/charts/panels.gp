@@ -34,7 +34,8 @@ set arrow from graph 0, first {{at}} to graph 1, first {{at}} nohead lc rgb ink 
 set label '{{name}}' at graph 1, first {{at}} left offset 0.5,0 textcolor rgb ink
 {{/horizontal}}
 {{/marks}}
-plot {{#curves}}'{{name}}.csv' index {{index}} {{#line}}using 1:2 with lines lc rgb '{{colour}}' lw {{width}} dt {{dash}}{{/line}}{{#band}}using 1:2:3 with filledcurves lc rgb '{{colour}}'{{/band}}{{#points}}using 1:2 with points lc rgb '{{colour}}' pt {{marker}}{{/points}}{{#bars}}using 1:2:3:4 with yerrorbars lc rgb '{{colour}}' pt {{marker}}{{/bars}}{{#dots}}using 1:2:3:4 with xerrorbars lc rgb '{{colour}}' pt {{marker}} lw 2{{/dots}} notitle{{#more}}, \
+plot {{#curves}}'{{name}}.csv' index {{index}} {{#line}}using 1:2 with lines lc rgb '{{colour}}' lw {{width}} dt {{dash}}{{/line}}{{#band}}using 1:2:3 with filledcurves lc rgb '{{colour}}'{{/band}}{{#points
+}}using 1:2 with points lc rgb '{{colour}}' pt {{marker}}{{/points}}{{#bars}}using 1:2:3:4 with yerrorbars lc rgb '{{colour}}' pt {{marker}}{{/bars}}{{#dots}}using 1:2:3:4 with xerrorbars lc rgb '{{colour}}' pt {{marker}} lw 2{{/dots}} notitle{{#more}}, \
  {{/more}}{{/curves}}
 {{/panels}}
 {{#has_legend}}

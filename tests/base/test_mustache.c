@@ -77,6 +77,16 @@ static const struct {
     {"{{#x}}{{/y\nz}}", "{}", "", NULL, "not open: 'y'"}, /* messages are one line */
     {"{{=x=}}", "{}", "", NULL, "delimiters"},
     {"{{>p}}", "{}", "{{>p}}", NULL, "without end"},
+    /* numbers in their unit: one, two ends, one with its error, as printf has it, none */
+    {"{{x|3}} {{x|2 um}} {{x|3 %}}", "{\"x\": 1.234e-5}", "", "1.23·10⁻⁵ 12 0.00123", ""},
+    {"{{t|3 degC}} {{n|2}} {{n}}", "{\"t\": 300, \"n\": 12345}", "", "26.9 12000 12345", ""},
+    {"{{#x}}{{x|2 mm}}{{/x}}", "{\"x\": {\"least\": 0.001, \"most\": 0.0123}}", "", "1.0 to 12", ""},
+    {"{{x|3}}", "{\"x\": {\"value\": 1.5, \"error\": 0.012}}", "", "1.500 ± 0.012", ""},
+    {"{{x|3}}", "{\"x\": {\"value\": 1.5, \"error\": null}}", "", "1.50", ""},
+    {"{{x|4g kPa}}", "{\"x\": 17272727}", "", "1.727e+04", ""},
+    {"[{{x|3}}{{y|3}}{{z|3}}]", "{\"x\": null, \"y\": \"so\"}", "", "[so]", ""},
+    {"{{x|um}}", "{\"x\": 1}", "", NULL, "no digits and unit"},
+    {"{{x|3 cubits}}", "{\"x\": 1}", "", NULL, "x|3 cubits"},
 };
 
 /* A folder's files are parts of a template where they are text, and lie in it. */

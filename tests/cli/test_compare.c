@@ -74,6 +74,19 @@ TEST_IN_WORKSPACE(finished_reports)
     at(view, "inputs.0.key", "\"a.sha256\"");
     at(view, "inputs.1", "");
     at(view, "surfaces.1.numbers.2.lines.1.same", "true");
+    /* what differs of a surface's record is told, of b, which is the same, nothing */
+    results = workspace_json(place, "scans/results.json");
+    json_t *numbers = json_object_get(json_array_get(json_object_get(view, "surfaces"), 0), "numbers");
+    size_t told = 0; /* the first behind the models' */
+    while (told < json_array_size(numbers) &&
+           strcmp(json_string_value(json_object_get(json_array_get(numbers, told), "quantity")), "rq_m") != 0)
+        told++;
+    at(view, filled("surfaces.0.numbers.%zu.unit", told), "\"µm\"");
+    at(view, filled("surfaces.0.numbers.%zu.lines.1.undecided", told), "true");
+    assert_near(at(view, filled("surfaces.0.numbers.%zu.lines.1.value", told), NULL),
+                at(results, "surfaces.0.rq_m", NULL), 1e-15);
+    numbers = json_object_get(json_array_get(json_object_get(view, "surfaces"), 1), "numbers");
+    assert_int_equal(json_array_size(numbers), told);
     view = compare(place, "one", "load", "scene.loads_N");
     /* another load and E': between rows of contact.csv, at 2 MPa; the last such are those of b, plastic */
     view = compare(place, "one", "load", "Operating loads differ");
@@ -241,6 +254,7 @@ TEST_IN_WORKSPACE(each_report_speaks_by_its_leading_model)
     json_t *view = compare(place, "hard", "elastic", "each report by the model");
     assert_near(at(view, "surfaces.0.numbers.0.lines.1.ratio", NULL), 2, 1e-12);
     at(view, LINE(1, "shown.ratio"), "\"2.00\""); /* of the worse to the best */
+    assert_true(at(view, LINE(1, "low_95"), NULL) < at(view, LINE(1, "value"), NULL));
     at(view, LINE(0, "shown.ratio"), "\"1.00\"");
     at(view, "reports.0.label", "\"strip transfer with hardness\"");
     at(view, "models.1.label", "\"strip transfer\"");

@@ -130,14 +130,16 @@ struct size {
 static struct size size_of(const char *text)
 {
     struct size out = {0};
+    bool caption = false; /* of a table: to the next empty line */
     for (const char *line = text; *line; line += strcspn(line, "\n"), line += *line == '\n') {
         size_t length = strcspn(line, "\n"), columns = 0;
+        caption = strncmp(line, "**Table", 7) == 0 || (caption && length > 0);
         out.tables += strncmp(line, "|---", 4) == 0;
         out.figures += strncmp(line, "![", 2) == 0;
         for (size_t i = 0; i < length && *line == '|'; i++)
             columns += line[i] == '|';
         out.columns = columns > out.columns + 1 ? columns - 1 : out.columns;
-        for (size_t i = 0; i < length && !strchr("|!#", *line) && strncmp(line, "**Table", 7) != 0; i++)
+        for (size_t i = 0; i < length && !strchr("|!#", *line) && !caption; i++)
             out.words += line[i] != ' ' && (i == 0 || line[i - 1] == ' ');
     }
     return out;

@@ -35,11 +35,10 @@ TEST_IN_WORKSPACE(few_waves_are_expected_to_cost_accuracy)
         if (!closed) {
             double own = model_sd(model_rows[model_named("strip-plastic")], QUANTITY_ECR),
                    few_sd = 1.3 * log(2.5 / waves);
-            assert_within(atof(json_string_value(few)), exp(1.96 * few_sd), 0.051 * exp(1.96 * few_sd));
-            json_t *models = json_object_get(accuracy, "models");
-            const char *factor =
-                json_string_value(json_object_get(json_array_get(models, json_array_size(models) - 1), "factor"));
-            assert_near(atof(factor), exp(1.96 * hypot(own, few_sd)), 0.06);
+            assert_near(json_number_value(few), exp(1.96 * few_sd), 0.01);
+            json_t *models = json_object_get(accuracy, "models"),
+                   *last = json_array_get(models, json_array_size(models) - 1);
+            assert_near(json_number_value(json_object_get(last, "factor")), exp(1.96 * hypot(own, few_sd)), 0.01);
         } else
             assert_true(!few);
     }
@@ -142,9 +141,9 @@ static double factor_of(const json_t *view, const char *effect)
     const json_t *row;
     json_array_foreach(json_object_get(view, "effects"), i, row)
     {
-        const char *factor = json_string_value(json_object_get(row, "factor"));
+        const json_t *factor = json_object_get(row, "factor");
         if (strcmp(json_string_value(json_object_get(row, "name")), effect) == 0)
-            return factor ? strtod(factor, NULL) : NAN;
+            return json_is_number(factor) ? json_number_value(factor) : NAN;
     }
     fail_msg("no effect %s", effect);
     return NAN;

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/unit.h"
 #include "output/tables.h"
 #include "run/pipeline.h"
 
@@ -99,6 +100,32 @@ TEST_CASE(test_fields_lie_where_they_say)
     assert_near(NUMBER("fit_amplitude_m"), NUMBER("alpha_SI") * pow(NUMBER("fit_wavelength_m"), NUMBER("gamma")), 1e-6);
     assert_true(NUMBER("spacing_m") < NUMBER("fit_low_m") && NUMBER("fit_high_m") < NUMBER("scan_length_m"));
 #undef NUMBER
+}
+
+/* What is shown in a column is a number, in a unit of the dimension that its key ends in. */
+TEST_CASE(test_shown_fields_have_units)
+{
+    size_t shown = 0;
+    struct text words = {0};
+    expect_ok(text_read_file, &words, PROJECT_SOURCE "/templates/words.txt");
+    for (const struct record_field *field = surface_fields; field->key; field++) {
+        struct unit unit = {.factor = 1}, key = {.factor = 1};
+        const char *ending = strrchr(field->key, '_');
+        if (field->digits == 0)
+            continue;
+        shown++;
+        assert_int_equal(field->kind, RECORD_NUMBER);
+        assert_in_range(field->digits, 2, 4);
+        if (field->unit[0]) {
+            assert_true(unit_read(&unit, field->unit, strlen(field->unit)));
+            assert_true(ending && unit_read(&key, ending + 1, strlen(ending + 1)));
+            assert_memory_equal(unit.power, key.power, sizeof unit.power);
+        }
+        assert_near(record_unit(field), unit.factor, 0);
+        assert_non_null(strstr(text_string(&words), filled("\ncolumn.%s ", field->key)));
+    }
+    assert_true(shown >= 2);
+    text_free(&words);
 }
 
 /* And the estimates have the same names in spread.csv and in results.json. */

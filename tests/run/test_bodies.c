@@ -24,9 +24,10 @@ TEST_IN_DIRECTORY(each_surface_has_its_own_bodies)
                           "  - {name: b, file: b.csv, material: copper, counterface: same}\n"
                           "  - {name: c, file: c.csv, material: gold, counterface: tin, hardness: 90 MPa}\n");
     assert_int_equal(pipeline_run(place, "in", "all", 2), 0);
-    expect_in_file(place, "all/report.md",
-                   "\nBodies: tin against a rigid flat on *a*; copper against copper on *b*; gold against tin on *c*. ",
-                   "\n| gold |", " | 90.0 |\n", " gold: ", " copper: ");
+    expect_in_file(
+        place, "all/report.md",
+        "\nBodies: tin against a rigid flat on *a*;\ncopper against copper on *b*;\ngold against tin on *c*.\n",
+        "\n| gold |", " | 90.0 |\n", " gold: ", " copper: ");
     struct table all = directory_table(place, "all/data/contact.csv");
     size_t compared = 0;
     for (int s = 0; s < 3; s++) {
@@ -152,7 +153,7 @@ TEST_IN_DIRECTORY(without_a_material)
     assert_true(compared >= 15);
     directory_write(place, "in/scene.yaml", "material: {E: 100 GPa, nu: 0.3}\nload: {values: [1e-4]}\n");
     assert_int_equal(pipeline_run(place, "in", "soft", 1), 0); /* one without yield strength */
-    expect_in_file(place, "soft/report.md", " against a rigid flat. ", " | 110 | – |\n");
+    expect_in_file(place, "soft/report.md", " against a rigid flat.\n", " | 110 | – |\n");
     expect_not_in_file(place, "soft/report.md", "hardness  MPa", ", hardness");
     expect_in_file(place, "none/report.md", "P/(Aₙ\u00a0E′)");
     expect_not_in_file(place, "none/report.md", "MPa", "nan", "COMSOL");

@@ -128,7 +128,7 @@ TEST_IN_PLACE(test_the_report_names_windows)
     directory_write(place, "three/scene.yaml",
                     "material: tin\nsurfaces: [{name: a, file: [a-1.csv, a-2.csv, a-3.csv]}]\n");
     assert_int_equal(pipeline_run(place, "three", "three-out", 1), 0);
-    expect_in_file(place, "three-out/report.md", "Periodic: 2 of 3 scans. The others have a Hann window.");
+    expect_in_file(place, "three-out/report.md", "Periodic: 2 of 3 scans.\nThe others have a Hann window.");
     expect_gamma_made(place, "three-out", "a");
     assert_true(number(place, "three-out", "a", "gamma_stderr") < 0.04); /* one alone: 0.044 */
 }

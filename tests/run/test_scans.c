@@ -551,7 +551,7 @@ TEST_IN_DIRECTORY(bad_scans_of_several)
         "are used\n",
         "surface 's': d.csv: 3 points carry no spectrum; at least 11 are needed: take a longer scan, or leave it out - "
         "refused; 3 of its 5 scans are used\n");
-    expect_in_file(place, "out-bad/report.md", "2 scans were left out", "at least 11 are needed");
+    expect_in_file(place, "out-bad/report.md", "2 of 5 files were not used", "at least 11 are needed");
     run_outcome_free(&good);
     run_outcome_free(&bad);
 }
