@@ -257,12 +257,17 @@ void text_add_csv(struct text *text, const char *string)
     text_free(&shown);
 }
 
-int text_characters(const char *string)
+int text_width(const char *string, size_t length)
 {
     int count = 0;
-    for (; *string; string++)
-        count += ((unsigned char)*string & 0xC0) != 0x80;
+    for (size_t i = 0; i < length; i++)
+        count += ((unsigned char)string[i] & 0xC0) != 0x80;
     return count;
+}
+
+int text_characters(const char *string)
+{
+    return text_width(string, strlen(string));
 }
 
 void text_add_wrapped(struct text *text, const char *string, int width, int indent)
@@ -274,9 +279,7 @@ void text_add_wrapped(struct text *text, const char *string, int width, int inde
     bool begun = false; /* a word stands on this line, which the next is told from by a blank */
     while (*string) {
         size_t length = strcspn(string, " \n");
-        int word = 0;
-        for (size_t i = 0; i < length; i++)
-            word += ((unsigned char)string[i] & 0xC0) != 0x80;
+        int word = text_width(string, length);
         if (begun && at + 1 + word > width) {
             text_add(text, "\n%*s", indent, "");
             at = indent;

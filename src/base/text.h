@@ -46,7 +46,8 @@ void text_add_html(struct text *out, const char *bytes, size_t size);
 /** Adds `string` as one CSV field, as it may be shown, an apostrophe before what a spreadsheet would take for a
  * formula, also behind a semicolon; quoted, with quotes doubled, when it holds a comma, a semicolon or a quote. */
 void text_add_csv(struct text *text, const char *string);
-/** How many characters `string` has, in UTF-8. */
+/** Characters of the first `length` bytes, or of a whole string, as UTF-8. */
+int text_width(const char *string, size_t length);
 int text_characters(const char *string);
 /** Adds `string`, broken at blanks into lines of at most `width` characters; all but the first begin `indent` in. */
 void text_add_wrapped(struct text *text, const char *string, int width, int indent);

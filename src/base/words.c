@@ -81,17 +81,9 @@ const char *words_say(struct words *words, const char *format, ...)
     return words->status->code == STATUS_OK ? json_string_value(said) : "";
 }
 
-int words_width(const char *string, size_t length)
-{
-    int count = 0;
-    for (size_t i = 0; i < length; i++)
-        count += ((unsigned char)string[i] & 0xC0) != 0x80;
-    return count;
-}
-
 void words_cut(struct text *out, const char *string, size_t length, int most)
 {
-    int width = words_width(string, length), at = -1;
+    int width = text_width(string, length), at = -1;
     for (size_t i = 0; i < length; i++) {
         bool begins = ((unsigned char)string[i] & 0xC0) != 0x80;
         at += begins;

@@ -29,8 +29,6 @@ const char *words_say(struct words *words, const char *format, ...) PRINTF_LIKE(
 bool words_add(struct text *out, struct words *words, const char *later,
                void (*escape)(struct text *out, const char *string));
 
-/** Characters of a text. */
-int words_width(const char *string, size_t length);
 /** Adds a text in `most` characters: of a longer one the middle is cut, as names often differ at their end. */
 void words_cut(struct text *out, const char *string, size_t length, int most);
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "certainty/uncertainty.h"
+#include "base/costs.h"
 
 #include "base/clock.h"
 #include "spectrum/multitaper.h"
@@ -17,9 +18,6 @@ enum {
     RECORD_POINTS = 1 << 14, /* of a record at most */
     FIRST_SEED = 1
 };
-
-/* On one core of 2020: a height of a record, and the leading model at a record's loads. */
-static const double height_seconds = 0.25e-6, record_seconds = 1.3e-3;
 
 /** What is to be simulated and quartered. */
 struct uncertainty_scan {
@@ -182,7 +180,7 @@ static enum status_code run_one(struct uncertainty *out, const struct simulated 
 
 double uncertainty_seconds(size_t points)
 {
-    return RECORDS * (2 * fmin((double)points, RECORD_POINTS) * height_seconds + record_seconds);
+    return RECORDS * (2 * fmin((double)points, RECORD_POINTS) * costs.record_point_s + costs.record_s);
 }
 
 /** Errors of all running models; STATUS_SCAN: no records of it. */

@@ -30,14 +30,21 @@ static int gnuplot_log(void)
     return -1;
 }
 
+enum status_code gnuplot_find(char program[GNUPLOT_PATH], struct status *status)
+{
+    return program_find(program, GNUPLOT_PATH, "gnuplot")
+               ? STATUS_OK
+               : status_fail(status, STATUS_CHART,
+                             "no gnuplot in PATH to draw the charts: install the package gnuplot-nox");
+}
+
 enum status_code gnuplot_start(struct gnuplot *out, const char *directory, struct status *status)
 {
     *out = (struct gnuplot){.input = -1, .most_seconds = most_seconds};
     static char name[] = "gnuplot", defaults[] = "-d"; /* no start-up files */
-    char program[4096], *const arguments[] = {name, defaults, NULL};
-    if (!program_find(program, sizeof program, "gnuplot"))
-        return status_fail(status, STATUS_CHART,
-                           "no gnuplot in PATH to draw the charts: install the package gnuplot-nox");
+    char program[GNUPLOT_PATH], *const arguments[] = {name, defaults, NULL};
+    if (gnuplot_find(program, status) != STATUS_OK)
+        return status->code;
     int ends[2] = {-1, -1};
     int log = gnuplot_log();
     int error = log < 0 || socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0 ||

@@ -16,8 +16,12 @@ struct gnuplot {
     double most_seconds; /* that gnuplot_finish() waits */
 };
 
-/** Starts gnuplot (found in PATH, no shell) with `directory` as its working directory.
- * Errors: STATUS_CHART (not installed: names the package), STATUS_IO, STATUS_INTERRUPTED. */
+enum { GNUPLOT_PATH = 4096 };
+/** gnuplot's path, found in PATH. Error: STATUS_CHART, which names the package. */
+MUST_CHECK enum status_code gnuplot_find(char program[GNUPLOT_PATH], struct status *status);
+
+/** Starts gnuplot (no shell) with `directory` as its working directory.
+ * Errors: that of gnuplot_find(), STATUS_IO, STATUS_INTERRUPTED. */
 MUST_CHECK enum status_code gnuplot_start(struct gnuplot *out, const char *directory, struct status *status);
 
 /** Sends command lines, such as "load 'area.gp'\n", which it carries out while this program goes on. Never waits; what

@@ -30,29 +30,42 @@ static void sum_powers(double sums[3], const struct direct_law *law)
 {
     sums[0] = sums[1] = sums[2] = 0;
     for (size_t m = 1, count = direct_law_harmonics(law); m <= count; m++) {
-        double power = pow(shape(law, m), 2);
+        double one = shape(law, m), power = one * one;
         for (int k = 0; k < 3; k++, power *= (double)m)
             sums[k] += power;
     }
 }
 
 /** Gives the law the exponent, within -2 ... 8, with which it has sums[2]/sums[0] = `wanted`, which falls with it; its
- * sums, and the range there is. False: none. */
+ * sums, and the range there is. False: none. By secants of its logarithm, which is nearly straight, the end that stays
+ * halved (Illinois): 10 sums where halving the range takes 52. */
 static bool match_gamma(struct direct_law *law, double sums[3], double range[2], double wanted)
 {
-    double limits[2] = {8, -2}; /* where the ratio is too small, too large */
+    enum { STEPS = 100 };
+    double limits[2] = {8, -2}, off[2]; /* where the ratio is too small, too large; by how much */
+    size_t before = 2;
     for (int end = 0; end < 2; end++) {
         law->gamma = limits[end];
         sum_powers(sums, law);
         range[end] = sums[2] / sums[0];
+        off[end] = log(range[end] / wanted);
     }
-    law->gamma = (limits[0] + limits[1]) / 2;
-    while (limits[0] - limits[1] > 8e-15 && law->gamma > limits[1] && law->gamma < limits[0]) {
+    if (!(off[0] <= 0 && off[1] >= 0))
+        return false;
+    for (int i = 0; i < STEPS; i++) {
+        double last = law->gamma;
+        law->gamma = off[1] > off[0] ? (limits[0] * off[1] - limits[1] * off[0]) / (off[1] - off[0]) : limits[0];
         sum_powers(sums, law);
-        limits[sums[2] / sums[0] > wanted] = law->gamma;
-        law->gamma = (limits[0] + limits[1]) / 2;
+        double now = log(sums[2] / sums[0] / wanted);
+        size_t side = now > 0;
+        limits[side] = law->gamma;
+        off[side] = now;
+        off[!side] *= side == before ? 0.5 : 1;
+        before = side;
+        if (fabs(now) < 1e-15 || fabs(law->gamma - last) < 1e-15)
+            break;
     }
-    return wanted >= range[0] && wanted <= range[1];
+    return true;
 }
 
 enum status_code direct_law_match(struct direct_law *out, const double moments[3], double length_m, double lambda_s_m,

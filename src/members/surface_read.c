@@ -269,8 +269,8 @@ static double cost_of_strips(const struct surface_record *record)
     const struct strip_rows *rows = &record->strips.rows,
                             one = {NULL, 1, rows->points, rows->spacing_m, rows->periodic, NULL};
     const double quarters = 0.35; /* two strips at nine loads, of three at seventeen */
-    double alone = record->ensemble.count > 1 ? (double)rows->rows * (double)strip_cost(&one) : 0;
-    return (double)strip_cost(rows) * (alone > 0 ? 1 : 1 + quarters) + alone;
+    double alone = record->ensemble.scan_count > 1 ? (double)rows->rows * (double)strip_cost(&one) : 0;
+    return (double)strip_cost(rows) * (record->summary.single_points > 0 ? 1 + quarters : 1) + alone;
 }
 
 /** From what was gathered to the description of the surface. */

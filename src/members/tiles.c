@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "members/tiles.h"
+#include "base/costs.h"
 
 #include "direct/direct_ladder.h"
 #include "direct/direct_surface.h"
@@ -15,9 +16,6 @@ enum { LEAST_SIDE = 32, LEAST_POINTS = 12 /* in contact, below which a solution 
 static const double tolerance = 1e-5;             /* moves no number by 1 % */
 static const double coarse = 0.9, closest = 1.15; /* steps of logit A, and loads */
 static const double enough = 0.97;                /* of area, from which on no heavier load is solved */
-/* Pairs of transforms that a square takes with what tells its error, over the root of its points a side, and how much
- * longer one takes than a strip's; as measured on maps of 200 to 512 points a side. */
-static const double pairs_elastic = 95, pairs_capped = 110, longer = 1.8;
 
 void tiles_free(struct tiles *tiles)
 {
@@ -84,8 +82,9 @@ double tiles_cost(const struct tiles *tiles, bool capped)
 {
     if (!tiles->height_m)
         return 0;
-    const double side = (double)tiles->side, pairs = sqrt(side) * (pairs_elastic + (capped ? pairs_capped : 0));
-    return (double)(tiles->columns * tiles->rows) * side * side * pairs * longer;
+    const double side = (double)tiles->side;
+    return (double)(tiles->columns * tiles->rows) * pow(side, 2 + costs.map_power) *
+           (costs.map_transforms_elastic + (capped ? costs.map_transforms : 0));
 }
 
 bool tiles_fit(struct tiles *tiles, bool capped, double most)

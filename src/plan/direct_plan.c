@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "plan/direct_plan.h"
+#include "base/costs.h"
 
 #include "direct/direct_ensemble.h"
 #include <math.h>
@@ -80,12 +81,11 @@ static void choose_loads(struct direct_plan *plan, const struct direct_plan_task
         plan->capped_loads++;
 }
 
-/** Of one core, from counts: a load and its constriction take 0.020 s at 256 points a side, and as the power 2.15 of
- * these (0.009 to 0.022 on three surfaces, 64 ... 1024; measured in 2026), and surfaces with a scan's heights have to
- * be made first. A finer grid is twice as fine; a map's parts, which tell its error, have half its points a side. */
+/** Of one core, from counts; surfaces with a scan's heights have to be made first. A finer grid is twice as fine; a
+ * map's parts, which tell its error, have half its points a side. */
 static double likely_seconds(const struct direct_plan *plan)
 {
-    const double power = 2.15, one = 0.020 * pow((double)plan->grid / 256, power);
+    const double power = costs.direct_power, one = costs.direct_s * pow((double)plan->grid / 256, power);
     double making = plan->side > 0 || plan->gaussian ? 0 : direct_ensemble_making, fine = plan->fine_times > 0;
     double parts = plan->side > 0 ? (plan->mirrored ? 5 : 1) + (plan->lambda_s_m > 0) : 0;
     double other = fine * pow(2, power) + parts * pow(2, -power), sum = 0;

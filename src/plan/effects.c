@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "plan/effects.h"
+#include "base/costs.h"
 
 #include "contact/convergence.h"
 #include "contact/corrected_persson.h"
@@ -118,8 +119,6 @@ static void decide_uncertainty(struct plan *plan, const struct surface_record *s
                           single, single == 1 ? "one" : ""));
 }
 
-const double effects_transform_seconds = 12e-9;
-
 /** Strips run where a surface has them. */
 static void decide_strips(struct plan *plan, const struct surface_record *surfaces, size_t count)
 {
@@ -157,8 +156,8 @@ static void decide_tiles(struct plan *plan, const struct surface_record *surface
         plan->models &= ~users;
     if (maps > 0 || dear > 0)
         plan->area_reason = words_say(plan->words, "%s\nseconds %.2g\nsurfaces %zu\n%s",
-                                      dear > 0 ? "area.dear_maps" : "area.without_map",
-                                      cost * effects_transform_seconds, lacking, lacking == 1 ? "one" : "");
+                                      dear > 0 ? "area.dear_maps" : "area.without_map", cost * costs.transform_s,
+                                      lacking, lacking == 1 ? "one" : "");
 }
 
 void effects_fit_models(struct plan *plan, const struct surface_record *surfaces, size_t count)

@@ -20,7 +20,4 @@ void effects_decide(struct plan *plan, const struct scene *scene, const struct s
  * run): strips, direct solutions of maps. */
 void effects_fit_models(struct plan *plan, const struct surface_record *surfaces, size_t count);
 
-/** Of a point of a transform there and back, on one core of 2020. */
-extern const double effects_transform_seconds;
-
 #endif

@@ -7,7 +7,7 @@
 #include <ctype.h>
 #include <limits.h>
 #include <md4c-html.h>
-#include <openssl/evp.h>
+#include <nettle/base64.h>
 #include <string.h>
 
 /* md4c renders the Markdown. As raw HTML is no HTML to it, each `<` of what comes out begins a tag of its own making:
@@ -103,10 +103,11 @@ static void end_heading(struct page *page, unsigned level)
 static void add_base64(struct text *out, const unsigned char *bytes, size_t length)
 {
     enum { PIECE = 48 }; /* bytes, in threes */
-    unsigned char digits[PIECE / 3 * 4 + 1];
+    char digits[BASE64_ENCODE_RAW_LENGTH(PIECE)];
     for (size_t at = 0; at < length; at += PIECE) {
-        int count = EVP_EncodeBlock(digits, bytes + at, length - at < PIECE ? (int)(length - at) : PIECE);
-        text_add_bytes(out, (const char *)digits, (size_t)count);
+        size_t count = length - at < PIECE ? length - at : PIECE;
+        base64_encode_raw(digits, count, bytes + at);
+        text_add_bytes(out, digits, BASE64_ENCODE_RAW_LENGTH(count));
     }
 }
 

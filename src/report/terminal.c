@@ -20,7 +20,7 @@ static const char *put_table(struct text *out, const char *rows)
             int c = 0;
             for (bool more = true; more && c < COLUMNS; c++) {
                 size_t length = strcspn(line, "\t\n");
-                int width = words_width(line, length);
+                int width = text_width(line, length);
                 if (pass == 0)
                     widths[c] = width > widths[c] ? width : widths[c];
                 else if (c == 0)

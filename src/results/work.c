@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "results/work.h"
 
+#include "base/costs.h"
 #include "base/text.h"
 #include "certainty/uncertainty.h"
 #include "plan/direct_plan.h"
@@ -81,29 +82,28 @@ uint64_t work_table(struct text *out, const struct results *results, bool done)
     return evaluations;
 }
 
-/* What a report takes, roughly, on one core of 2020; for planning only: a report prints what it took. */
-static const double report_seconds = 0.25, surface_seconds = 1e-3, point_seconds = 0.4e-6, load_seconds = 3e-6;
-
 double work_seconds(const struct results *results, size_t threads)
 {
     const struct plan *plan = results->plan;
-    double sum = 0, longest = 0; /* what a surface is solved by is one after the other */
+    double sum = 0, longest = 0, direct = 0;
     size_t models = 0;
     for (size_t m = 0; m < model_count; m++)
         models += plan_runs_model(plan, m);
     for (size_t i = 0; i < results->surface_count; i++) {
         const struct surface_summary *summary = &results->surfaces[i].summary;
-        if (plan_runs(plan, EFFECT_DIRECT) && results_solves(results, i))
-            sum += summary->direct->seconds;
-        double points = (double)summary->points * (double)summary->scans;
-        sum += surface_seconds + points * point_seconds +
-               (double)(models * results->load_count) * fmax(1, (double)summary->scans) * load_seconds;
-        double strips = (summary->has_strips ? summary->strip_cost : 0) + (summary->has_tiles ? summary->tile_cost : 0);
-        strips *= effects_transform_seconds;
-        sum += strips;
-        longest = fmax(longest, strips);
+        bool map = summary->map.nx > 0; /* whose rows speak as one */
+        double points = (double)summary->points * (double)summary->scans, transforms = 0;
+        double one = costs.surface_s + points * (map ? costs.map_point_s : costs.profile_point_s);
+        one += (double)(models * results->load_count) * fmax(1, map ? 1 : (double)summary->scans) * costs.load_s;
+        transforms += summary->has_strips ? summary->strip_cost : 0;
+        transforms += summary->has_tiles ? summary->tile_cost : 0;
+        one += transforms * costs.transform_s;
         if (plan_runs(plan, EFFECT_UNCERTAINTY) && summary->single_points > 0)
-            sum += uncertainty_seconds(summary->single_points);
+            one += uncertainty_seconds(summary->single_points);
+        if (plan_runs(plan, EFFECT_DIRECT) && results_solves(results, i))
+            direct += summary->direct->seconds;
+        sum += one;
+        longest = fmax(longest, one); /* what a surface is solved by is one after the other */
     }
-    return report_seconds + fmax(sum / (double)threads, longest);
+    return costs.report_s + fmax(sum / (double)threads, longest) + direct / (double)threads;
 }

@@ -207,6 +207,16 @@ static bool stopped(const struct run *run)
     return run->options->stop && *run->options->stop;
 }
 
+/** Starts gnuplot, once there is something to draw. */
+static enum status_code begin_charts(struct run *run, struct status *status)
+{
+    struct text directory = {0};
+    text_add(&directory, "%s/figures", run->output.staging);
+    enum status_code rc = gnuplot_start(&run->gnuplot, text_string(&directory), status);
+    text_free(&directory);
+    return rc;
+}
+
 /** From the evaluated surfaces to the files of the report. gnuplot draws while costs are measured and tables written.
  */
 static enum status_code write_all(struct run *run, struct run_outcome *out, struct status *status)
@@ -218,7 +228,8 @@ static enum status_code write_all(struct run *run, struct run_outcome *out, stru
         &run->prepared.words, false};
     struct figures figures = {.count = 0};
     double last = clock_seconds();
-    if (figures_draw(&figures, run->results, &drawing, status) != STATUS_OK || stopped(run))
+    if (begin_charts(run, status) != STATUS_OK || figures_draw(&figures, run->results, &drawing, status) != STATUS_OK ||
+        stopped(run))
         return status->code;
     out->times.figures = lap(&last);
     const struct results *results = run->results;
@@ -275,25 +286,16 @@ static enum status_code begin_output(struct run *run, struct status *status)
     return rc;
 }
 
-/** Starts gnuplot, so that it stands ready when the first chart is. */
-static enum status_code begin_charts(struct run *run, struct status *status)
-{
-    struct text directory = {0};
-    text_add(&directory, "%s/figures", run->output.staging);
-    enum status_code rc = gnuplot_start(&run->gnuplot, text_string(&directory), status);
-    text_free(&directory);
-    return rc;
-}
-
 enum status_code run_report(struct run_outcome *out, const struct scene *scene, const struct run_options *options,
                             struct status *status)
 {
     struct run run = {.scene = scene, .options = options, .started = clock_seconds(), .gnuplot.input = -1};
+    char gnuplot[GNUPLOT_PATH]; /* looked for before any work is done */
     *out = (struct run_outcome){.times.models = calloc(model_count, sizeof *out->times.models)};
     if (!out->times.models)
         (void)status_memory(status);
     else if (export_check(scene, options->templates, status) == STATUS_OK && begin_output(&run, status) == STATUS_OK &&
-             begin_charts(&run, status) == STATUS_OK && evaluate(&run, out, status) == STATUS_OK && !stopped(&run))
+             gnuplot_find(gnuplot, status) == STATUS_OK && evaluate(&run, out, status) == STATUS_OK && !stopped(&run))
         (void)write_all(&run, out, status);
     enum status_code rc = status->code;
     if (run.output.staging[0] && (stopped(&run) || rc == STATUS_INTERRUPTED)) {

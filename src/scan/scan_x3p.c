@@ -236,9 +236,9 @@ static enum status_code open_main(struct x3p *x3p, const struct scan_file *file)
     size_t index = archive_find(&x3p->archive, "main.xml", true), count = x3p->archive.count;
     if (index == count)
         return scan_fail(file, 0, "no main.xml in the archive");
-    if (archive_entry(&x3p->archive, index).size > limit_most(LIMIT_XML_BYTES))
+    if (x3p->archive.entries[index].size > limit_most(LIMIT_XML_BYTES))
         return scan_fail(file, 0, "main.xml is too large%s", limit_words(LIMIT_XML_BYTES).text);
-    const char *name = archive_entry(&x3p->archive, index).name, *slash = strrchr(name, '/');
+    const char *name = x3p->archive.entries[index].name, *slash = strrchr(name, '/');
     scan_copy(x3p->folder, sizeof x3p->folder, (struct string_view){name, slash ? slash + 1 : name});
     if (archive_read(&x3p->main, &x3p->archive, index, SIZE_MAX, file) != STATUS_OK)
         return file->status->code;

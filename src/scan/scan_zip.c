@@ -23,7 +23,7 @@ struct entry {
 };
 
 /* Is there nothing in the entry, or what an operating system leaves in archives? */
-static bool is_empty(const zip_stat_t *entry)
+static bool is_empty(const struct archive_entry *entry)
 {
     const char *slash = strrchr(entry->name, '/'), *own = slash ? slash + 1 : entry->name;
     return entry->size == 0 || *own == '\0' || *own == '.' || strncmp(entry->name, "__MACOSX/", 9) == 0;
@@ -34,7 +34,7 @@ static bool is_empty(const zip_stat_t *entry)
 static enum format_kind open_entry(struct entry *out, const struct archive *archive, size_t index,
                                    const struct scan_file *file)
 {
-    const char *name = archive_entry(archive, index).name;
+    const char *name = archive->entries[index].name;
     snprintf(out->path, sizeof out->path, "%.300s(%.200s)", file->path, name);
     if (archive_read(&out->text, archive, index, SIZE_MAX, file) != STATUS_OK)
         return FORMAT_FOREIGN;
@@ -69,12 +69,12 @@ static enum status_code read_archive(struct scan *out, const struct archive *arc
     enum status_code code = STATUS_OK;
     bool found = false, all = file->options->entry == 0;
     for (size_t i = file->options->entry; i < archive->count && (all || out->next_entry == 0); i++) {
-        const zip_stat_t stat = archive_entry(archive, i);
-        const char *name = stat.name;
+        const struct archive_entry *own = &archive->entries[i];
+        const char *name = own->name;
         struct status ignored = {0};
         struct scan_file quiet = *file;
         struct entry entry = {0};
-        if (is_empty(&stat))
+        if (is_empty(own))
             continue;
         quiet.status = found ? &ignored : file->status;
         enum format_kind kind = open_entry(&entry, archive, i, &quiet);

@@ -214,6 +214,30 @@ static void write_scan(const char *path, size_t points, unsigned long seed)
     free(height_m);
 }
 
+/** A map of n x n points of one spacing, as GSF. */
+static void write_map(const char *path, size_t n, unsigned long seed)
+{
+    struct direct_spectrum spectrum = direct_case_spectrum(n);
+    struct status status = {0};
+    double *height_m = malloc(n * n * sizeof *height_m);
+    FILE *file = fopen(path, "wb");
+    if (!height_m || !file)
+        exit(1);
+    must(direct_surface_make(height_m, n, &(struct direct_recipe){direct_spectrum_variance, &spectrum, NULL, 0}, seed,
+                             &status));
+    int length = fprintf(file,
+                         "Gwyddion Simple Field 1.0\nXRes = %zu\nYRes = %zu\nXReal = %g\nYReal = %g\nXYUnits = m\n"
+                         "ZUnits = m\n",
+                         n, n, 1e-6 * (double)n, 1e-6 * (double)n);
+    fwrite("\0\0\0\0", 1, (size_t)(4 - length % 4), file);
+    for (size_t i = 0; i < n * n; i++)
+        fwrite(&(float){(float)height_m[i]}, sizeof(float), 1, file);
+    if (fclose(file) != 0)
+        exit(1);
+    direct_spectrum_free(&spectrum);
+    free(height_m);
+}
+
 static int remove_entry(const char *path, const struct stat *info, int type, struct FTW *level)
 {
     (void)info, (void)type, (void)level;
@@ -221,10 +245,19 @@ static int remove_entry(const char *path, const struct stat *info, int type, str
 }
 
 /** The whole, and its stages; gnuplot's charts are always as many. */
-enum { WHOLE, READ, LEVEL, SPECTRA, STRIPS, MODELS, CONVERGENCE, COST, TABLES, CHARTS, PAGE, STAGES };
-static const char *const stage_names[STAGES] = {
-    "whole",    "  read scans",          "  level",           "  spectra",    "  strips", "  models",
-    "  sweeps", "  what accuracy costs", "  tables and json", "  chart data", "  page"};
+enum { WHOLE, READ, LEVEL, SPECTRA, STRIPS, MAPS, MODELS, CONVERGENCE, COST, TABLES, CHARTS, PAGE, STAGES };
+static const char *const stage_names[STAGES] = {"whole",
+                                                "  read scans",
+                                                "  level",
+                                                "  spectra",
+                                                "  strips",
+                                                "  direct of maps",
+                                                "  models",
+                                                "  sweeps",
+                                                "  what accuracy costs",
+                                                "  tables and json",
+                                                "  chart data",
+                                                "  page"};
 
 /** Lowers `seconds` to those of one run. */
 static void take_stages(double seconds[STAGES], double cpu, const struct run_times *times)
@@ -234,6 +267,7 @@ static void take_stages(double seconds[STAGES], double cpu, const struct run_tim
                           [LEVEL] = times->prepare,
                           [SPECTRA] = times->spectrum,
                           [STRIPS] = times->strips,
+                          [MAPS] = times->tiles,
                           [CONVERGENCE] = times->convergence,
                           [COST] = times->cost,
                           [TABLES] = times->tables,
@@ -245,16 +279,23 @@ static void take_stages(double seconds[STAGES], double cpu, const struct run_tim
         seconds[stage] = fmin(seconds[stage], run[stage]);
 }
 
-/** Times of a report of so many scans, each of a surface of its own or all of one, on one thread: CPU time of the
- * whole, without gnuplot's, and the stages by the clock. */
-static void time_report(double seconds[STAGES], size_t scans, bool apart, size_t points, size_t loads)
+struct report_case {
+    size_t scans, points, loads; /* points of a profile, or of a map a side */
+    unsigned jobs;
+    bool together, map; /* all scans of one surface, else each of its own */
+};
+
+/** Times of a report: CPU time of the whole, without gnuplot's, and the stages by the clock. Returns the least elapsed
+ * time. */
+static double time_report(double seconds[STAGES], const struct report_case *of)
 {
     const char *temporary = getenv("TMPDIR");
     char directory[256], path[300], output[300], text[200];
     snprintf(directory, sizeof directory, "%s/roughcontact-bench-XXXXXX",
              temporary && strlen(temporary) < 200 ? temporary : P_tmpdir);
-    struct run_options options = {.output = output, .templates = PROJECT_SOURCE "/templates", .jobs = 1};
+    struct run_options options = {.output = output, .templates = PROJECT_SOURCE "/templates", .jobs = of->jobs};
     struct status status = {0};
+    double elapsed = INFINITY;
     for (int stage = 0; stage < STAGES; stage++)
         seconds[stage] = INFINITY;
     if (!mkdtemp(directory))
@@ -263,28 +304,30 @@ static void time_report(double seconds[STAGES], size_t scans, bool apart, size_t
     snprintf(text, sizeof text,
              "material: tin\nload: {from: 1e-6, to: 0.1, points: %zu}\neffects: [plasticity, "
              "separation, electrical, thermal, convergence]\n%s",
-             loads, apart ? "" : "surfaces: [{name: all, file: '*.csv'}]\n");
-    for (size_t i = 0; i < scans; i++) {
-        snprintf(path, sizeof path, "%s/%zu.csv", directory, i);
-        write_scan(path, points, 20 + i);
+             of->loads, !of->together ? "" : "surfaces: [{name: all, file: '*.csv'}]\n");
+    for (size_t i = 0; i < of->scans; i++) {
+        snprintf(path, sizeof path, "%s/%zu.%s", directory, i, of->map ? "gsf" : "csv");
+        (of->map ? write_map : write_scan)(path, of->points, 20 + i);
     }
     snprintf(path, sizeof path, "%s/scene.yaml", directory);
     must(text_write_file(path, text, strlen(text), &status));
     for (int run = 0; run < 2; run++) {
         struct scene scene;
         struct run_outcome outcome;
-        double started = cpu_seconds();
+        double started = cpu_seconds(), begun = clock_seconds();
         if (scene_read(&scene, directory, &(struct scene_overrides){0}, &status) != STATUS_OK ||
             run_report(&outcome, &scene, &options, &status) != STATUS_OK) {
             printf("%s\n", status.message);
             exit(1);
         }
         take_stages(seconds, cpu_seconds() - started, &outcome.times);
+        elapsed = fmin(elapsed, clock_seconds() - begun);
         run_outcome_free(&outcome);
         scene_free(&scene);
     }
     nftw(directory, remove_entry, 16, FTW_DEPTH | FTW_PHYS);
     nftw(output, remove_entry, 16, FTW_DEPTH | FTW_PHYS);
+    return elapsed;
 }
 
 /** A stack of so many scales made and pressed at every load, of a law so flat that it is visited to its end. */
@@ -320,27 +363,45 @@ static void print_stages(const char *name, const size_t size[3], double seconds[
                          (const double[]){seconds[0][stage], seconds[1][stage], seconds[2][stage]});
 }
 
-static void growth(void)
+/** Of the rows that have `wanted` in their name. */
+static void growth(const char *wanted)
 {
-    static const size_t scans[] = {10, 100, 1000}, points[] = {10000, 100000, 1000000}, loads[] = {100, 1000, 10000},
-                        scales[] = {1000, 10000, 100000};
+    enum { SCANS, SURFACES, POINTS, SIDE, LOADS_OF, KINDS };
+    static const struct {
+        const char *name;
+        size_t size[3];
+        struct report_case of; /* with 0 for the size */
+    } kinds[KINDS] = {
+        [SCANS] = {"scans of 1000 points", {10, 100, 1000}, {0, 1000, 31, 1, true, false}},
+        [SURFACES] = {"surfaces of 1000 points", {10, 100, 1000}, {0, 1000, 31, 1, false, false}},
+        [POINTS] = {"points of one scan", {10000, 100000, 1000000}, {1, 0, 31, 1, false, false}},
+        [SIDE] = {"points a side of one map", {64, 256, 1024}, {1, 0, 31, 1, false, true}},
+        [LOADS_OF] = {"loads on one scan", {100, 1000, 10000}, {1, 4000, 0, 1, false, false}},
+    };
+    static const size_t scales[] = {1000, 10000, 100000}, jobs[] = {1, 2, 4};
     double seconds[3], stages[3][STAGES];
     printf("\nA whole report on tin: CPU time without gnuplot's, one thread, and its stages by the clock; aimed at: "
-           "exponents of 1.05 or less, net of what every report takes\n");
-    for (int apart = 0; apart < 2; apart++) {
-        for (int i = 0; i < 3; i++)
-            time_report(stages[i], scans[i], apart, 1000, 31);
-        print_stages(apart ? "surfaces of 1000 points" : "scans of 1000 points", scans, stages);
+           "exponents of 1.05 or less, of a map's side 2.4, net of what every report takes\n");
+    for (int k = 0; k < KINDS; k++) {
+        if (!strstr(kinds[k].name, wanted))
+            continue;
+        for (int i = 0; i < 3; i++) {
+            struct report_case of = kinds[k].of;
+            *(of.scans == 0 ? &of.scans : of.points == 0 ? &of.points : &of.loads) = kinds[k].size[i];
+            time_report(stages[i], &of);
+        }
+        print_stages(kinds[k].name, kinds[k].size, stages);
     }
-    for (int i = 0; i < 3; i++)
-        time_report(stages[i], 1, true, points[i], 31);
-    print_stages("points of one scan", points, stages);
-    for (int i = 0; i < 3; i++)
-        time_report(stages[i], 1, true, 4000, loads[i]);
-    print_stages("loads on one scan", loads, stages);
-    for (int i = 0; i < 3; i++)
+    for (int i = 0; i < 3 && strstr("scales", wanted); i++)
         seconds[i] = stack_seconds(scales[i]);
-    print_growth("scales of a stack", scales, seconds);
+    if (strstr("scales", wanted))
+        print_growth("scales of a stack", scales, seconds);
+    if (!strstr("threads", wanted))
+        return;
+    for (int i = 0; i < 3; i++)
+        seconds[i] = time_report(stages[i], &(struct report_case){100, 1000, 31, (unsigned)jobs[i], false, false});
+    printf("| threads on 100 surfaces, elapsed | 1: %.4g s | 2: %.4g s | 4: %.4g s | - |\n", seconds[0], seconds[1],
+           seconds[2]);
 }
 
 /** CPU seconds of parts with a bulge of F over 20 mm at 61 loads over two decades, pressure and resistance, in n x n
@@ -390,14 +451,14 @@ static void shapes(void)
                shape_seconds(64, bulge_um * 1e-6), shape_seconds(32, bulge_um * 1e-6));
 }
 
-/** Given any argument, of how reports grow alone: the table in docs/limits.md. */
+/** `growth`, of how reports grow alone: the table in docs/limits.md; `growth map` one of its rows: scans, surfaces,
+ * points, map, loads, scales, threads. */
 int main(int count, char **argument)
 {
-    (void)argument;
     if (count < 2) {
         direct_cases();
         shapes();
     }
-    growth();
+    growth(count > 2 ? argument[2] : "");
     return 0;
 }

@@ -429,5 +429,5 @@ TEST_CASE(names_are_cut_in_their_middle)
     struct text *out = support_text();
     words_cut(out, "µµµµµfffggggg", strlen("µµµµµfffggggg"), 10);
     assert_string_equal(text_string(out), "µµµµµ…gggg");
-    assert_int_equal(words_width(text_string(out), out->length), 10);
+    assert_int_equal(text_width(text_string(out), out->length), 10);
 }

@@ -119,6 +119,16 @@ TEST_IN_WORKSPACE(test_without_gnuplot)
     expect_digest(place, ".", before);
 }
 
+/* Nothing to draw: no gnuplot is started, a missing one is told of at once. */
+TEST_IN_WORKSPACE(test_gnuplot_waits_for_data)
+{
+    workspace_shell(place, "mkdir d && seq 400000 > d/a.txt"); /* of no unit, which takes long enough to say */
+    char *path = workspace_program(place, "gnuplot", "#!/bin/sh\ntouch \"$0.started\"\ncat > /dev/null\n");
+    expect_part(expect_exit(place, 4, "report", "d").err, "no readable scan in 'd'");
+    workspace_shell(place, "! find . -name '*.started' | grep .");
+    assert_int_equal(setenv("PATH", path, 1), 0);
+}
+
 /* A gnuplot that reads all and draws nothing is blamed by name, with what to do. */
 TEST_IN_WORKSPACE(test_gnuplot_that_draws_nothing)
 {

@@ -53,6 +53,16 @@ TEST_IN_WORKSPACE(test_version)
     expect_output(process, "\nfftw-3.", ", GSL ");
 }
 
+/* Most of a start is the loader's: libraries that bring more of them, as libcrypto and libzip do, took it five times as
+ * long as all the others. */
+TEST_IN_WORKSPACE(test_what_is_loaded)
+{
+    const char *loaded = workspace_shell(place, "LD_TRACE_LOADED_OBJECTS=1 " PROGRAM);
+    expect_parts(loaded, "libexpat", "libz.");
+    assert_null(strstr(loaded, "libcrypto"));
+    assert_null(strstr(loaded, "libzip"));
+}
+
 TEST_IN_WORKSPACE(test_usage)
 {
     expect_failure(place, 2, 1, "unknown command 'reprot'; did you mean 'report'?", "reprot", "d");

@@ -285,6 +285,7 @@ TEST_CASE(errors_know_waves_longer_than_the_map)
 TEST_CASE(squares_of_a_larger_map)
 {
     enum { LONG = 4 * SIDE + 10 };
+    const double longer = 1.6; /* a map's transform than a strip's */
     struct tiles tiles = map_of(LONG, SIDE, 9, worn);
     double rms[3], all = tiles_cost(&tiles, false);
     assert_int_equal(tiles.columns, 4);
@@ -298,7 +299,8 @@ TEST_CASE(squares_of_a_larger_map)
     assert_int_equal(tiles.columns, 1);
     tiles.columns = 4;
     expect_ok(tiles_solve, &tiles, INFINITY, NULL);
-    assert_true((double)tiles.transforms > all / 3 && (double)tiles.transforms < 3 * all);
+    double likely = all / longer;
+    assert_true((double)tiles.transforms > likely / 1.3 && (double)tiles.transforms < 1.3 * likely);
     assert_true(tiles.transfer->curve[0].count > 0 && tiles.transfer->curve[1].count == 0);
     struct tiles one = map_of(SIDE, SIDE, 9, worn); /* a corner of it alone says less of it */
     expect_ok(tiles_solve, &one, INFINITY, NULL);

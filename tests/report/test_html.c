@@ -3,8 +3,8 @@
 #include "report/html.h"
 #include "support.h"
 
-#include <openssl/evp.h>
-#include <openssl/sha.h>
+#include <nettle/base64.h>
+#include <nettle/sha2.h>
 
 #define TEMPLATES PROJECT_SOURCE "/templates"
 #define DIRECTORY TEST_DATA "/report"
@@ -19,12 +19,18 @@ static void take_script_out(struct text *page)
     char *found = strstr(page->data, "<script>\n// ");
     assert_non_null(found);
     assert_memory_equal(found, start, length);
-    unsigned char hash[SHA256_DIGEST_LENGTH], digits[64];
+    unsigned char hash[SHA256_DIGEST_SIZE];
+    char digits[BASE64_ENCODE_RAW_LENGTH(sizeof hash)];
+    struct sha256_ctx context;
     size_t tag = strlen("<script>");
-    EVP_EncodeBlock(digits, SHA256((const unsigned char *)start + tag, length - tag, hash), sizeof hash);
+    sha256_init(&context);
+    sha256_update(&context, length - tag, (const unsigned char *)start + tag);
+    sha256_digest(&context, sizeof hash, hash);
+    base64_encode_raw(digits, sizeof hash, hash);
     char *allowed = strstr(page->data, "script-src 'sha256-") + strlen("script-src 'sha256-");
-    if (strncmp(allowed, (const char *)digits, 44) != 0)
-        fail_msg("the script of templates/page.html is sha256-%s, which its policy has to name", digits);
+    if (strncmp(allowed, digits, sizeof digits) != 0)
+        fail_msg("the script of templates/page.html is sha256-%.*s, which its policy has to name", (int)sizeof digits,
+                 digits);
     memmove(found, found + length, page->length - (size_t)(found - page->data) - length + 1);
     page->length -= length;
 }

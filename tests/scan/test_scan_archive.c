@@ -196,3 +196,49 @@ TEST_CASE(test_entries)
     text_free(&text);
     text_free(&member.bytes);
 }
+
+/* Writes a directory's end of ZIP64 before its end, which then says nothing of its own. */
+static struct text zip64_of(const struct packed *member)
+{
+    enum { END = 22, START = 16 };
+    struct text text = zip_of(member, 1);
+    const unsigned char *end = (const unsigned char *)text.data + text.length - END;
+    size_t start = end[START] + 256u * end[START + 1], at = text.length - END;
+    text.length = at;
+    put_bytes(&text, 0x06064b50, 4);
+    put_bytes(&text, 44, 8);
+    put_bytes(&text, 0, 12);
+    put_bytes(&text, 1, 8);
+    put_bytes(&text, 1, 8);
+    put_bytes(&text, at - start, 8);
+    put_bytes(&text, start, 8);
+    put_bytes(&text, 0x07064b50, 4);
+    put_bytes(&text, 0, 4);
+    put_bytes(&text, at, 8);
+    put_bytes(&text, 1, 4);
+    put_bytes(&text, 0x06054b50, 4);
+    put_bytes(&text, 0, 4);
+    put_bytes(&text, UINT32_MAX, 4);
+    put_bytes(&text, UINT64_MAX, 8);
+    put_bytes(&text, 0, 2);
+    return text;
+}
+
+TEST_CASE(test_ends)
+{
+    struct packed member = pack("a.csv", table, sizeof table - 1, true);
+    struct text text = zip64_of(&member);
+    assert_sample(&text, "text", SCAN_PROFILE, SAMPLE_POINTS, &no_units);
+    for (size_t length = 5; length < text.length; length++)
+        assert_refused_bytes(text.data, length, &no_units, "damaged zip archive; copy the file again");
+    text_free(&text);
+    text = zip_of(&member, 1);
+    text.data[text.length - 1] = text.data[text.length - 2] = '\xff'; /* the longest comment */
+    for (size_t i = 0; i < UINT16_MAX; i++)
+        text_add_bytes(&text, " ", 1);
+    assert_sample(&text, "text", SCAN_PROFILE, SAMPLE_POINTS, &no_units);
+    text_add_bytes(&text, " ", 1);
+    assert_refused_bytes(text.data, text.length, &no_units, "damaged zip archive; copy the file again");
+    text_free(&text);
+    text_free(&member.bytes);
+}
