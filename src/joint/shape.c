@@ -7,10 +7,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { STEPS_MOST = 200, STEPS_WHOLE = 25, ITERATIONS_MOST = 5000, FIELDS = 11 };
+enum { STEPS_MOST = 200, STEPS_WHOLE = 25, ITERATIONS_MOST = 5000, FIELDS = 15 };
 const double shape_largest_area = 0.97, shape_yielding_most = 0.05;
-static const double precision = 1e-12;     /* of conjugate gradients */
-static const double converged = 1e-11;     /* change of a pressure over the mean one */
+static const double precision = 1e-11;     /* of conjugate gradients */
+static const double converged = 1e-9;      /* change of a pressure over the mean one */
 static const double step_most = 2;         /* rise of ln p(1 - p/H)^-1 below the hardness, fall at it */
 static const double share_least = 1. / 16; /* of a step */
 static const double negligible = 1e-6;     /* over the mean one */
@@ -102,8 +102,15 @@ static void make_plans(void *context)
 {
     struct shape *shape = context;
     int nx = (int)shape->nx, ny = (int)shape->ny;
-    shape->forth = fftw_plan_r2r_2d(ny, nx, shape->field, shape->field, FFTW_REDFT10, FFTW_REDFT10, FFTW_ESTIMATE);
-    shape->back = fftw_plan_r2r_2d(ny, nx, shape->field, shape->field, FFTW_REDFT01, FFTW_REDFT01, FFTW_ESTIMATE);
+    shape->forth = fftw_plan_dft_2d(ny, nx, shape->pair, shape->pair, FFTW_FORWARD, FFTW_ESTIMATE);
+    shape->back = fftw_plan_dft_2d(ny, nx, shape->pair, shape->pair, FFTW_BACKWARD, FFTW_ESTIMATE);
+}
+
+/** Where the cosine transform of n points has the k-th: those of even place, then the odd ones backwards (Makhoul
+ * 1980, doi:10.1109/TASSP.1980.1163351). */
+static size_t place_of(size_t k, size_t n)
+{
+    return 2 * k < n ? 2 * k : 2 * (n - k) - 1;
 }
 
 enum status_code shape_make(struct shape *out, size_t nx, size_t ny, const double side_m[2], struct status *status)
@@ -113,10 +120,18 @@ enum status_code shape_make(struct shape *out, size_t nx, size_t ny, const doubl
         !isfinite(side_m[0] + side_m[1]))
         return status_fail(status, STATUS_USAGE, "an area of %g m x %g m in %zu x %zu cells cannot be solved",
                            side_m[0], side_m[1], nx, ny);
-    out->field = fftw_alloc_real(out->cells);
+    out->pair = fftw_alloc_complex(out->cells);
+    out->turns = calloc(out->cells, sizeof *out->turns);
+    out->place = calloc(out->cells, sizeof *out->place);
     out->room = calloc(FIELDS * out->cells, sizeof(double));
-    if (!out->field || !out->room)
+    if (!out->pair || !out->turns || !out->place || !out->room)
         return status_memory(status);
+    for (size_t k = 0; k < out->cells; k++) {
+        out->place[k] = place_of(k / nx, ny) * nx + place_of(k % nx, nx);
+        double of_x = M_PI * (double)(k % nx) / (2 * (double)nx), of_y = M_PI * (double)(k / nx) / (2 * (double)ny);
+        const double turns[] = {cos(of_y + of_x), -sin(of_y + of_x), cos(of_y - of_x), -sin(of_y - of_x)};
+        memcpy(out->turns[k], turns, sizeof turns);
+    }
     fft_plan(make_plans, out);
     out->pressure_Pa = out->room + (FIELDS - 1) * out->cells;
     out->ln_pressure = out->pressure_Pa - out->cells;
@@ -129,18 +144,73 @@ void shape_free(struct shape *shape)
 {
     fft_plan_free(shape->forth);
     fft_plan_free(shape->back);
-    fftw_free(shape->field);
+    fftw_free(shape->pair);
+    free(shape->turns);
+    free(shape->place);
     free(shape->room);
     *shape = (struct shape){0};
 }
 
-/** The field becomes S[field] times what the table has of it. */
-static void apply(struct shape *shape)
+/** out = (a + sign b) turned by the angle of cosine c and sine s. */
+static void turn(fftw_complex out, const double a[2], const double b[2], double sign, double c, double s)
 {
+    double re = a[0] + sign * b[0], im = a[1] + sign * b[1];
+    out[0] = c * re - s * im;
+    out[1] = c * im + s * re;
+}
+
+/** Of the values at a wave and at those of n - k along x, y and both the same times the tables' shares of the cosines
+ * that they hold. */
+static void apply_to_four(fftw_complex *const at[4], const double share[4], const double turns[4])
+{
+    static const double zero[2] = {0};
+    fftw_complex one[4];
+    double along[2], across[2], both[2], back[2];
+    turn(one[0], *at[0], zero, 0, turns[0], turns[1]);
+    turn(one[1], *at[1], zero, 0, turns[2], turns[3]);
+    turn(one[2], *at[2], zero, 0, turns[2], -turns[3]);
+    turn(one[3], *at[3], zero, 0, turns[0], -turns[1]);
+    for (int k = 0; k < 2; k++) {
+        double p = one[0][k] + one[1][k], m = one[0][k] - one[1][k], r = one[2][k] + one[3][k],
+               n = one[2][k] - one[3][k];
+        double pr = share[0] * (p + r), rp = share[2] * (p - r), mn = share[1] * (m + n), nm = share[3] * (m - n);
+        along[k] = pr + rp;
+        across[k] = pr - rp;
+        both[k] = mn + nm;
+        back[k] = mn - nm;
+    }
+    turn(*at[0], along, both, 1, turns[0], -turns[1]);
+    turn(*at[1], along, both, -1, turns[2], -turns[3]);
+    turn(*at[2], across, back, 1, turns[2], turns[3]);
+    turn(*at[3], across, back, -1, turns[0], turns[1]);
+}
+
+/** Two fields become S of them, times what the table has of their cosines: one complex transform of both (the second
+ * NULL: there is none). */
+static void apply(struct shape *shape, double *first, double *second)
+{
+    const size_t nx = shape->nx, ny = shape->ny;
+    const double *table = shape->table;
+    fftw_complex *pair = shape->pair;
+    for (size_t k = 0; k < shape->cells; k++) {
+        pair[k][0] = first[shape->place[k]];
+        pair[k][1] = second ? second[shape->place[k]] : 0;
+    }
     fftw_execute(shape->forth);
-    for (size_t k = 0; k < shape->cells; k++)
-        shape->field[k] *= shape->table[k];
+    for (size_t j = 0; j <= ny / 2; j++)
+        for (size_t i = 0; i <= nx / 2; i++) {
+            const size_t right = i > 0 ? nx - i : 0, down = j > 0 ? ny - j : 0,
+                         of[4] = {j * nx + i, j * nx + right, down * nx + i, down * nx + right};
+            fftw_complex *const at[4] = {&pair[of[0]], &pair[of[1]], &pair[of[2]], &pair[of[3]]};
+            const double share[4] = {table[of[0]], table[of[1]], table[of[2]], table[of[3]]};
+            apply_to_four(at, share, shape->turns[of[0]]);
+        }
     fftw_execute(shape->back);
+    for (size_t k = 0; k < shape->cells; k++) {
+        first[shape->place[k]] = pair[k][0];
+        if (second)
+            second[shape->place[k]] = pair[k][1];
+    }
 }
 
 /** Sum of resistivity tanh(|q| t)/|q| over the two bodies, with the 1/(4 n_x n_y) of the cosine transforms. */
@@ -165,34 +235,46 @@ static double dot(const double *a, const double *b, size_t count)
 }
 
 /** Solves (1 + D S D) y = b by conjugate gradients, until of the residual no more than the share `goal` is left; the
- * matrix is symmetric and has no eigenvalue below 1. `work`: two fields, of which the first is b and is used up. */
-static enum status_code solve(double *y, struct shape *shape, const double *scale, double *work, double goal,
-                              struct status *status)
+ * matrix is symmetric and has no eigenvalue below 1. For one or two b at a time. `work`: for each three fields, of
+ * which the first is b and is used up. */
+static enum status_code solve(double *const y[], double *const work[], int count, struct shape *shape,
+                              const double *scale, double goal, struct status *status)
 {
     size_t n = shape->cells;
-    double *residual = work, *direction = work + n, *field = shape->field;
-    double square = dot(residual, residual, n), least = goal * goal * square;
-    memset(y, 0, n * sizeof *y);
-    memcpy(direction, residual, n * sizeof *direction);
-    for (size_t i = 0; square > least; i++, shape->iterations++) {
-        if (i == ITERATIONS_MOST || !isfinite(square))
+    double square[2] = {0}, least[2];
+    for (int b = 0; b < count; b++) {
+        square[b] = dot(work[b], work[b], n);
+        least[b] = goal * goal * square[b];
+        memset(y[b], 0, n * sizeof *y[b]);
+        memcpy(work[b] + n, work[b], n * sizeof *work[b]);
+    }
+    for (size_t i = 0; square[0] > least[0] || (count > 1 && square[1] > least[1]); i++, shape->iterations++) {
+        if (i == ITERATIONS_MOST || !isfinite(square[0] + square[1]))
             return status_fail(status, STATUS_MODEL, "its conjugate gradients do not converge");
-        for (size_t k = 0; k < n; k++)
-            field[k] = scale[k] * direction[k];
-        apply(shape);
-        double curvature = 0, before = square;
-        for (size_t k = 0; k < n; k++) {
-            field[k] = direction[k] + scale[k] * field[k];
-            curvature += direction[k] * field[k];
+        for (int b = 0; b < count; b++) { /* of one size, or the larger one's rounding is the other's error */
+            double size = square[b] > least[b] ? 1 / sqrt(square[b]) : 0;
+            for (size_t k = 0; k < n; k++)
+                work[b][2 * n + k] = scale[k] * work[b][n + k] * size;
         }
-        square = 0;
-        for (size_t k = 0; k < n; k++) {
-            y[k] += before / curvature * direction[k];
-            residual[k] -= before / curvature * field[k];
-            square += residual[k] * residual[k];
+        apply(shape, work[0] + 2 * n, count > 1 ? work[1] + 2 * n : NULL);
+        for (int b = 0; b < count; b++) {
+            if (!(square[b] > least[b])) /* the other goes on */
+                continue;
+            double *residual = work[b], *direction = residual + n, *field = direction + n, before = square[b];
+            double curvature = 0, size = sqrt(before);
+            for (size_t k = 0; k < n; k++) {
+                field[k] = direction[k] + scale[k] * size * field[k];
+                curvature += direction[k] * field[k];
+            }
+            square[b] = 0;
+            for (size_t k = 0; k < n; k++) {
+                y[b][k] += before / curvature * direction[k];
+                residual[k] -= before / curvature * field[k];
+                square[b] += residual[k] * residual[k];
+            }
+            for (size_t k = 0; k < n; k++)
+                direction[k] = residual[k] + square[b] / before * direction[k];
         }
-        for (size_t k = 0; k < n; k++)
-            direction[k] = residual[k] + square / before * direction[k];
     }
     return STATUS_OK;
 }
@@ -216,13 +298,14 @@ static enum status_code step(double *change, struct shape *shape, const double *
                              double share, struct status *status)
 {
     const double mean_Pa = shape->mean_Pa, ln_hardness = log(gap->most_Pa);
-    const double goal = fmax(fmin(1e-6, 1e-4 * *change), precision);
+    const double goal =
+        *change > 0.1 ? 1e-6 : fmax(1e-3 * *change, precision); /* a rough start goes round in circles */
     size_t n = shape->cells;
-    double *scale = shape->room, *slope = scale + n, *rest = slope + n, *y[2] = {rest + n, rest + 2 * n};
-    double *work = rest + 3 * n, *p = shape->pressure_Pa, *level = shape->level, *field = shape->field;
-    double sums[2] = {0}, middle = 0, pressures = 0;
+    double *scale = shape->room, *slope = scale + n, *rest = slope + n, *const y[2] = {rest + n, rest + 2 * n};
+    double *const work[2] = {rest + 3 * n, rest + 6 * n}, *field = work[0], *p = shape->pressure_Pa;
+    double *level = shape->level, sums[2], middle = 0, pressures = 0;
     memcpy(field, p, n * sizeof *p);
-    apply(shape);
+    apply(shape, field, NULL);
     for (size_t k = 0; k < n; k++) {
         double over = exp(level[k] - ln_hardness), free = 1 / (1 + over);
         double closing = level[k] > shape->ln_pressure[k] ? gap->above * (level[k] - shape->ln_pressure[k]) : 0;
@@ -234,30 +317,31 @@ static enum status_code step(double *change, struct shape *shape, const double *
     }
     for (size_t k = 0; k < n; k++)
         rest[k] -= middle / pressures;
-    for (int side = 0; side < 2; side++) {
-        for (size_t k = 0; k < n; k++)
-            work[k] = scale[k] * (side ? 1 : rest[k]);
-        if (solve(y[side], shape, scale, work, goal, status) != STATUS_OK)
-            return status->code;
-        sums[side] = dot(scale, y[side], n);
+    for (size_t k = 0; k < n; k++) {
+        work[0][k] = scale[k] * rest[k];
+        work[1][k] = scale[k];
     }
+    if (solve(y, work, 2, shape, scale, goal, status) != STATUS_OK)
+        return status->code;
+    for (int side = 0; side < 2; side++)
+        sums[side] = dot(scale, y[side], n);
     double approach = ((double)n * mean_Pa - pressures + sums[0]) / sums[1];
     for (size_t k = 0; k < n; k++)
         field[k] = scale[k] * (approach * y[1][k] - y[0][k]);
-    apply(shape);
+    apply(shape, field, NULL);
     const double low = log(negligible * mean_Pa), high = ln_hardness + step_most;
     *change = 0;
     for (size_t k = 0; k < n; k++) {
         double asked = level[k] + (approach - rest[k] - field[k]) / -slope[k];
         double now = level[k] > ln_hardness ? fmax(asked, fmin(level[k] - step_most, high))
                                             : fmin(asked, fmax(level[k] + step_most, low));
-        work[k] = p[k];
+        slope[k] = p[k]; /* as it was */
         *change = now != asked ? INFINITY : *change;
         level[k] += share * (now - level[k]);
     }
     set_pressures(shape, ln_hardness);
     for (size_t k = 0; k < n; k++)
-        *change = fmax(*change, fabs(p[k] - work[k]) / (share * mean_Pa));
+        *change = fmax(*change, fabs(p[k] - slope[k]) / (share * mean_Pa));
     return STATUS_OK;
 }
 
@@ -297,7 +381,7 @@ enum status_code shape_resistance(double *out, double *spots, struct shape *shap
     fill_table(shape, bodies);
     for (size_t k = 0; k < n; k++)
         root[k] = work[k] = exp(shape_curve_value(&unused, conductance, shape->ln_pressure[k]) / 2);
-    if (solve(y, shape, root, work, precision, status) != STATUS_OK)
+    if (solve(&y, &work, 1, shape, root, precision, status) != STATUS_OK)
         return status->code;
     *spots = dot(y, y, n) / dot(root, y, n);
     *out = (double)n / (dot(root, y, n) * shape->side_m[0] * shape->side_m[1]);

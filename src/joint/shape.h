@@ -53,7 +53,9 @@ struct shape {
     double mean_Pa;                    /* of these; 0: none yet */
     double *table;                     /* the operator on the cosines, in the same order */
     double *room;                      /* the fields that the solvers work in, and those above */
-    double *field;
+    fftw_complex *pair;                /* two fields to transform, in the order of `place` */
+    size_t *place;
+    double (*turns)[4]; /* cos, sin of what turns a wave's transform to its cosine, and one of n_x - i */
     fftw_plan forth, back;
     size_t steps, iterations; /* Newton's, and of conjugate gradients, that the last call took */
 };
