@@ -35,6 +35,13 @@ struct named {
     size_t surface[NAMED], count;
 };
 
+/** What a function says of surfaces. */
+struct extent {
+    double least, most; /* infinite: it says nothing of any */
+    size_t at_most;
+    struct named on;
+};
+
 /** What a row is asked about, claims.i: the baseline once, or each; of the usable surfaces the first of which it is so.
  */
 enum claim_about { ABOUT_BASELINE, ABOUT_SURFACES, ABOUT_TARGETS, ABOUT_LIMITS };
@@ -80,12 +87,6 @@ static double answer(const struct claims *c, size_t surface, enum quantity quant
     return comparison_middle(c->results, c->leading, surface).value[quantity];
 }
 
-/** What is known of the asked quantity of a surface by the leading model. */
-static const struct estimate *estimate_on(const struct claims *c, size_t surface)
-{
-    return curve_summary_estimate(surface_model(summary_of(c, surface), c->leading), (int)c->asked.quantity);
-}
-
 /** Does a filler's bond line keep the metals apart where the summary stands? */
 static bool nothing_touches(const struct claims *c, size_t surface)
 {
@@ -96,6 +97,23 @@ static void add_name(struct named *named, size_t surface)
 {
     if (named->count++ < NAMED)
         named->surface[named->count - 1] = surface;
+}
+
+/** Of the usable surfaces of which `of` says something, and that below a limit. */
+static struct extent extent_of(const struct claims *c, double (*of)(const struct claims *c, size_t surface),
+                               double below)
+{
+    struct extent extent = {.least = INFINITY, .most = -INFINITY};
+    for (size_t k = 0; k < c->results->usable_count; k++) {
+        const double value = of(c, usable(c, k));
+        if (!(value < below && value > -INFINITY))
+            continue;
+        extent.at_most = value > extent.most ? usable(c, k) : extent.at_most;
+        extent.least = fmin(extent.least, value);
+        extent.most = fmax(extent.most, value);
+        add_name(&extent.on, usable(c, k));
+    }
+    return extent;
 }
 
 /* ---- What fills a sentence ---- */
@@ -253,19 +271,10 @@ static double spots_on(const struct claims *c, size_t surface)
 
 static bool few_spots(struct claims *c)
 {
-    double least = INFINITY, most = 0;
-    struct named on = {0};
-    for (size_t k = 0; k < c->results->usable_count; k++) {
-        const double spots = spots_on(c, usable(c, k));
-        if (!(spots < answers_least_spots))
-            continue;
-        least = fmin(least, spots);
-        most = fmax(most, spots);
-        add_name(&on, usable(c, k));
-    }
-    c->key = most < 1 ? "few-spots-one" : "few-spots";
-    put_range(c, "spots", fmax(least, 1), fmax(most, 1), 2, "");
-    return put_names(c, &on);
+    const struct extent spots = extent_of(c, spots_on, answers_least_spots);
+    c->key = spots.most < 1 ? "few-spots-one" : "few-spots";
+    put_range(c, "spots", fmax(spots.least, 1), fmax(spots.most, 1), 2, "");
+    return put_names(c, &spots.on);
 }
 
 /** Does the voltage over a spot soften the softer metal, or melt it? */
@@ -509,26 +518,26 @@ static bool scans_to_decide(struct claims *c)
 
 /* ---- How far the answer may be off ---- */
 
-/** The factor to either side of the interval of the asked quantity; NaN: it has none. */
+/** The factor to either side of the interval of a modelled answer; NaN: it has none. */
 static double factor_on(const struct claims *c, size_t surface)
 {
-    const struct estimate *estimate = estimate_on(c, surface);
-    return sqrt(estimate_end(estimate, 1) / estimate_end(estimate, 0));
+    const struct estimate *estimate =
+        curve_summary_estimate(surface_model(summary_of(c, surface), c->leading), (int)c->asked.quantity);
+    return known_value(c->results, c->asked.quantity, surface).measured
+               ? NAN
+               : sqrt(estimate_end(estimate, 1) / estimate_end(estimate, 0));
 }
 
 /** The widest interval of a modelled answer, and what part of its variance each cause has, the largest first. */
 static bool uncertainty(struct claims *c)
 {
     static const char *const names[] = {"model", "scans", "waves"};
-    const size_t none = c->results->surface_count;
-    size_t surface = none;
-    for (size_t k = 0; k < c->results->usable_count; k++)
-        if (!known_value(c->results, c->asked.quantity, usable(c, k)).measured &&
-            factor_on(c, usable(c, k)) > (surface == none ? 1 : factor_on(c, surface)))
-            surface = usable(c, k);
-    if (surface == none)
+    const struct extent factor = extent_of(c, factor_on, INFINITY);
+    if (!(factor.most > 1))
         return false;
-    const struct estimate *known = estimate_on(c, surface);
+    const size_t surface = factor.at_most;
+    const struct curve_summary *curve = surface_model(summary_of(c, surface), c->leading);
+    const struct estimate *known = curve_summary_estimate(curve, (int)c->asked.quantity);
     const double few = summary_of(c, surface)->has_tiles ? 0 : accuracy_few_waves_sd(c->results, surface),
                  own = model_sd(model_rows[c->leading], c->asked.quantity), ofs = known->model_sd * known->model_sd,
                  waves = few > 0 ? ofs * few * few / (few * few + own * own) : 0;
@@ -545,7 +554,7 @@ static bool uncertainty(struct claims *c)
                      words_say(c->words, "cause.%s\npercent %.0f", names[most], 100 * variance[most] / all));
         variance[most] = -1;
     }
-    c->weight = factor_on(c, surface);
+    c->weight = factor.most;
     put(c, "factor", c->weight);
     put_text(c, "parts", text_string(&parts));
     text_free(&parts);
@@ -579,18 +588,22 @@ static bool not_flat_assumed(struct claims *c)
     return c->weight >= 1.05;
 }
 
+/** Longest waves in a surface's scans where they are too few; else NaN. */
+static double few_waves(const struct claims *c, size_t surface)
+{
+    return !model_rows[c->leading]->uses_map && accuracy_few_waves_sd(c->results, surface) > 0 &&
+                   !nothing_touches(c, surface)
+               ? summary_of(c, surface)->longest_waves
+               : NAN;
+}
+
 static bool short_scans(struct claims *c)
 {
-    double waves = INFINITY;
-    for (size_t k = 0; k < c->results->usable_count && !model_rows[c->leading]->uses_map; k++)
-        if (accuracy_few_waves_sd(c->results, usable(c, k)) > 0 && !nothing_touches(c, usable(c, k)))
-            waves = fmin(waves, summary_of(c, usable(c, k))->longest_waves);
-    if (!(waves < INFINITY))
-        return false;
+    const double waves = extent_of(c, few_waves, INFINITY).least;
     c->weight = model_factor(model_few_waves_sd(waves));
     put(c, "waves", waves);
     put(c, "factor", c->weight);
-    return c->weight >= 1.1;
+    return waves < INFINITY && c->weight >= 1.1;
 }
 
 /* ---- What stands beside the answer ---- */
@@ -736,18 +749,11 @@ static double rise_K(const struct claims *c, size_t surface)
 /** What an effect that runs makes of the answer, from the least to the most over all surfaces. */
 static bool share(struct claims *c)
 {
-    double least = INFINITY, most = -INFINITY;
-    for (size_t k = 0; k < c->results->usable_count; k++) {
-        const double value = c->row->share(c, usable(c, k));
-        if (!isfinite(value))
-            continue;
-        least = fmin(least, value);
-        most = fmax(most, value);
-    }
-    put_range(c, "share", least, most, 2, c->row->unit);
+    const struct extent extent = extent_of(c, c->row->share, INFINITY);
+    put_range(c, "share", extent.least, extent.most, 2, c->row->unit);
     put(c, "nominal", c->results->scene->nominal_area_m2);
     put(c, "current", c->results->scene->joint.current_A);
-    return runs(c, c->row->effect) && most > 0;
+    return runs(c, c->row->effect) && extent.most > 0;
 }
 
 /** The model that `accuracy` chose. */
