@@ -21,7 +21,7 @@ struct page {
     unsigned parts;       /* those of the first level: below the second, sections are folded */
     bool in_folded;       /* inside the <details> of a section */
     bool in_entry;        /* inside a heading that stands in the contents */
-    size_t entry;         /* where its words begin there */
+    size_t heading;       /* where the words of the heading begin in the body */
     bool paragraph_waits; /* its words are still to come */
     bool cell_waits;      /* a cell of a table, the same */
     bool in_verdict;      /* inside the <span> of a cell that judges */
@@ -73,30 +73,30 @@ static void start_heading(struct page *page, unsigned level)
              page->headings);
     if (page->in_entry)
         text_add(&page->contents, "<li><a href=\"#section-%u\">", page->headings);
-    page->entry = page->contents.length;
+    page->heading = page->body.length;
 }
 
-/* The heading's words as a Markdown link names them: "#all-surfaces". */
-static void add_anchor(struct page *page)
+void html_anchor(struct text *out, const char *heading)
 {
-    const char *at = text_string(&page->contents) + page->entry;
-    text_add(&page->body, "<a id=\"");
-    for (bool tag = false; *at; at++) {
+    bool tag = false;
+    for (const char *at = heading; *at; at++) {
         tag = *at == '<' || (tag && at[-1] != '>');
-        if (!tag && (isalnum((unsigned char)*at) || *at == ' '))
-            text_add(&page->body, "%c", *at == ' ' ? '-' : tolower((unsigned char)*at));
+        if (!tag && (isalnum((unsigned char)*at) || *at == ' ' || *at == '-'))
+            text_add(out, "%c", *at == ' ' ? '-' : tolower((unsigned char)*at));
     }
-    text_add(&page->body, "\"></a>");
 }
 
 static void end_heading(struct page *page, unsigned level)
 {
-    if (page->in_entry)
-        add_anchor(page);
+    struct text anchor = {0};
+    html_anchor(&anchor, text_string(&page->body) + page->heading);
+    if (page->in_entry || level > 2)
+        text_add(&page->body, "<a id=\"%s\"></a>", text_string(&anchor));
     text_add(&page->body, "</h%u>%s", level, page->in_folded && level == 2 ? "</summary>" : "");
     if (page->in_entry)
         text_add(&page->contents, "</a></li>\n");
     page->in_entry = false;
+    text_free(&anchor);
 }
 
 /* In base 64 (RFC 4648). */

@@ -6,6 +6,7 @@
 #include "base/constants.h"
 #include "base/number_format.h"
 #include "joint/heating.h"
+#include "report/html.h"
 #include <math.h>
 
 struct range {
@@ -49,7 +50,11 @@ static void put_model(json_t *out, const struct view_source *source, size_t m)
     const struct curve_summary *curve = surface_model(view_summary(source, surface), m);
     const struct material_pair *pair = results_pair(results, surface);
     double scale = asked_load_of(results, surface).scale, sigma_m = view_summary(source, surface)->asperities.sigma_m;
+    struct text anchor = {0};
+    html_anchor(&anchor, model_rows[m]->label);
     view_text(row, "label", model_rows[m]->label);
+    view_text(row, "anchor", text_string(&anchor));
+    text_free(&anchor);
     for (int q = 0; q < QUANTITY_COUNT; q++)
         if (in_table(source, (enum quantity)q))
             view_number(view_item(view_list(row, "cells")), "text",

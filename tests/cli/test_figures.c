@@ -269,10 +269,11 @@ TEST_IN_WORKSPACE(models_have_intervals_and_ranges)
         assert_int_equal(times(script, "with xerrorbars"), 9);
         assert_int_equal(times(script, " pt 6") > 0, outside);
         assert_int_equal(strstr(report, "hollow: outside the model's range of validity") != NULL, outside);
-        assert_int_equal(times(script, " pt 6"), times(report, "](#methods-and-sources) †"));
-        expect_in_file(place, "out/report.html", "<a href=\"#methods-and-sources\">CMY</a>",
-                       "<a id=\"methods-and-sources\"></a>");
-        expect_parts(report, "(truncation)\n", "by strip transfer with hardness, which solves the scans as strips");
+        assert_int_equal(times(script, " pt 6"), times(report, ") †"));
+        expect_in_file(place, "out/report.html", "<a href=\"#cmy\">CMY</a>", "CMY<a id=\"cmy\"></a></h3>",
+                       "<a href=\"#strip-transfer-with-hardness\">", "<a id=\"strip-transfer-with-hardness\"></a>");
+        expect_parts(report, "(truncation). Source: Cooper",
+                     "by strip transfer with hardness, which solves the scans as strips");
     }
 }
 

@@ -147,7 +147,7 @@ static const struct {
     {"rows.1.value.value", "50.0"},
     {"rows.2.value.value", "375"},
     {"rows.2.value.interval", "330–430"},
-    {"claims.0.key", "refused"},
+    {"claims.0.key", "refused-one"},
     {"surfaces.rows.0.gamma", "1.400 ± 0.010"},
     {"surfaces.rows.1.scans", "1"},
     {"one_surface.surface", "beta"},
