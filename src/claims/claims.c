@@ -686,7 +686,8 @@ static double spread_of(const struct claims *c, size_t m, bool *rises)
 }
 
 /** Where the models of the thesis run on three surfaces or more: the one by which the answer rises most, and those by
- * which it does not rise at every step. */
+ * which it does not rise at every step. All are of the leading model's material law: elastic answers of a surface that
+ * yields are marked in their table, and prove nothing. */
 static bool by_roughness(struct claims *c)
 {
     const size_t count = c->results->usable_count;
