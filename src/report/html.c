@@ -21,7 +21,7 @@ struct page {
     unsigned parts;       /* those of the first level: below the second, sections are folded */
     bool in_folded;       /* inside the <details> of a section */
     bool in_entry;        /* inside a heading that stands in the contents */
-    size_t heading;       /* where the words of the heading begin in the body */
+    size_t named;         /* where the words of the heading, or of a bold cell, begin in the body; 0: none */
     bool paragraph_waits; /* its words are still to come */
     bool cell_waits;      /* a cell of a table, the same */
     bool in_verdict;      /* inside the <span> of a cell that judges */
@@ -73,7 +73,7 @@ static void start_heading(struct page *page, unsigned level)
              page->headings);
     if (page->in_entry)
         text_add(&page->contents, "<li><a href=\"#section-%u\">", page->headings);
-    page->heading = page->body.length;
+    page->named = page->body.length;
 }
 
 void html_anchor(struct text *out, const char *heading)
@@ -86,17 +86,25 @@ void html_anchor(struct text *out, const char *heading)
     }
 }
 
-static void end_heading(struct page *page, unsigned level)
+/* Names what links lead to by its words. */
+static void add_anchor(struct page *page)
 {
     struct text anchor = {0};
-    html_anchor(&anchor, text_string(&page->body) + page->heading);
-    if (page->in_entry || level > 2)
-        text_add(&page->body, "<a id=\"%s\"></a>", text_string(&anchor));
+    html_anchor(&anchor, text_string(&page->body) + page->named);
+    text_add(&page->body, "<a id=\"%s\"></a>", text_string(&anchor));
+    page->named = 0;
+    text_free(&anchor);
+}
+
+static void end_heading(struct page *page, unsigned level)
+{
+    if (page->in_entry)
+        add_anchor(page);
     text_add(&page->body, "</h%u>%s", level, page->in_folded && level == 2 ? "</summary>" : "");
     if (page->in_entry)
         text_add(&page->contents, "</a></li>\n");
     page->in_entry = false;
-    text_free(&anchor);
+    page->named = 0;
 }
 
 /* In base 64 (RFC 4648). */
@@ -175,9 +183,12 @@ static void add_tag(struct page *page, const char *tag, size_t size)
     bool closes = tag[1] == '/', waits = page->paragraph_waits;
     const char *name = tag + 1 + closes;
     struct text target = {0}, label = {0}, *out = &page->body;
+    const bool names = page->cell_waits && starts(tag, "<strong>"); /* a cell in bold, as a heading */
     if (!starts(name, "p>") && !starts(tag, "<img "))
         begin_words(page, tag);
     page->cell_waits = starts(tag, "<td");
+    if (starts(tag, "</td>") && page->named > 0)
+        add_anchor(page);
     if (starts(name, "p>")) {
         page->paragraph_waits = !closes;
         text_add(out, "%s", closes && !waits ? "</p>" : "");
@@ -205,6 +216,7 @@ static void add_tag(struct page *page, const char *tag, size_t size)
     } else {
         text_add_bytes(out, tag, size);
     }
+    page->named = names ? out->length : page->named;
     text_free(&target);
     text_free(&label);
 }

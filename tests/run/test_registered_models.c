@@ -295,10 +295,10 @@ TEST_CASE(test_the_report)
     const char *measured = section(md, "## Measured");
     expect_parts(measured, "numeric stack ");
     expect_no_parts(measured, "area alone ");
-    expect_parts(section(md, "## Methods and sources"), "### numeric stack\n\nIt says what it says: none. ",
-                 "### area alone\n");
+    expect_parts(section(md, "## Methods and sources"), "| **numeric stack** | It says what it says: none | source of",
+                 "| **area alone** |");
     expect_no_parts(md, "nan", "inf ");
-    expect_in_file(&whole, "out/report.html", "numeric stack", "area alone<a id=\"area-alone\"></a></h3>");
+    expect_in_file(&whole, "out/report.html", "numeric stack", "<strong>area alone</strong><a id=\"area-alone\"></a>");
 }
 
 TEST_CASE(test_the_work)
