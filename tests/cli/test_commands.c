@@ -124,7 +124,7 @@ TEST_IN_WORKSPACE(a_plan_says_what_each_effect_changes)
                         " of the area at most, below the tolerance");
     }
     workspace_write(place, "d/scene.yaml", materials[1]);
-    expect_output(expect_exit(place, 0, "plan", "d"), "by how much takes a solve", "changes no other\n",
+    expect_output(expect_exit(place, 0, "plan", "d"), "the report says by how much\n", "changes no other\n",
                   "changes no number\n");
 }
 

@@ -525,7 +525,7 @@ TEST_IN_PLACE(sentences)
          "current: 1 uA\n",
          "at what voltage this metal softens is not known"},
         {"material: tin\ngap: {conductivity: 5000 W/m/K}\n", "**the finish matters more than the load**"},
-        {"material: tin\ngap: {conductivity: 0.8}\n", ": no bond_line: the filler is as thin as the gaps"},
+        {"material: tin\ngap: {conductivity: 0.8}\n", ": no bond_line: the filler is taken as thin as the gaps"},
         {"material: tin\ngap: {filler: pad, bond_line: 100 um}\n",
          "The gaps are filled with pad of 1.00 W/(m·K), at least 100 µm thick."},
         {"material: tin\ngap: {liquid: water, temperature: 350 K}\n",
@@ -662,7 +662,8 @@ TEST_IN_PLACE(one_hardness_for_the_others)
     for (size_t i = 0; i < contact.rows; i++)
         if (strcmp(table_text(&contact, i, "model"), "cmy") == 0 && number(&contact, i, "load_over_AnEp") == 1e-6) {
             double hardness_MPa = 60 * pow(sqrt(2 * M_PI) * number(&contact, i, "spot_radius_m") / 1e-6, -0.2);
-            expect_parts(report, filled("all else %.4g MPa, theirs at the operating load", hardness_MPa));
+            expect_parts(report,
+                         filled("all other models %.4g MPa, that of CMY's spots at the operating load", hardness_MPa));
             checked++;
         }
     assert_int_equal(checked, 2);
