@@ -280,11 +280,8 @@ static bool few_spots(struct claims *c)
 /** Does the voltage over a spot soften the softer metal, or melt it? */
 static bool heated(struct claims *c)
 {
-    const struct scene_bodies *bodies = &summary_of(c, c->i)->scene->bodies;
     const struct joint *joint = &c->results->scene->joint;
-    const bool other = bodies->counterface_kind == MATERIAL_COUNTERFACE_ELASTIC &&
-                       bodies->counterface.yield_strength_Pa < bodies->material.yield_strength_Pa;
-    const struct material *metal = other ? &bodies->counterface : &bodies->material;
+    const struct material *metal = scene_softer(&summary_of(c, c->i)->scene->bodies);
     const struct heating_metal *stands = heating_metal_find(metal->name);
     const double voltage_V = answer(c, c->i, QUANTITY_VOLTAGE);
     if (!stands)

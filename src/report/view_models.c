@@ -250,22 +250,14 @@ static void put_range(json_t *out, const char *name, const struct range *range, 
     view_range(out, name, range->least, range->most, digits, "");
 }
 
-/** The body that yields first, whose metal softens first. */
-static const struct material *softer_body(const struct view_source *source, size_t surface)
-{
-    const struct scene_bodies *bodies = &view_summary(source, surface)->scene->bodies;
-    bool other = bodies->counterface_kind == MATERIAL_COUNTERFACE_ELASTIC &&
-                 bodies->counterface.yield_strength_Pa < bodies->material.yield_strength_Pa;
-    return other ? &bodies->counterface : &bodies->material;
-}
-
 /** Does the softer body's metal soften or melt on any surface; of how many is that not known? */
 static void put_softening(json_t *out, const struct view_source *source)
 {
     size_t soft = 0, unknown = 0, known = 0;
     for (size_t k = 0; k < source->results->usable_count; k++) {
         size_t i = source->results->by_roughness[k];
-        const struct heating_metal *metal = heating_metal_find(softer_body(source, i)->name);
+        const struct heating_metal *metal =
+            heating_metal_find(scene_softer(&view_summary(source, i)->scene->bodies)->name);
         double voltage_V = comparison_middle(source->results, source->leading, i).value[QUANTITY_VOLTAGE];
         if (!isfinite(voltage_V))
             continue;
