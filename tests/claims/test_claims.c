@@ -93,6 +93,34 @@ static const char *said(const json_t *claims, const char *key, const char *part)
     return NULL;
 }
 
+/** A claim of one surface or of all is said once; within a level the largest factor comes first; the parts of the
+ * uncertainty make the whole. */
+static void expect_list(const json_t *claims)
+{
+    size_t i, k;
+    const json_t *claim, *other;
+    double before = INFINITY, factor, model, scans, waves;
+    json_array_foreach(claims, i, claim)
+    {
+        const char *key = json_string_value(json_object_get(claim, "key"));
+        const json_t *numbers = json_object_get(claim, "numbers");
+        json_array_foreach(claims, k, other) if (k < i && strncmp(key, "target", 6) && strncmp(key, "limit", 5))
+            assert_string_not_equal(json_string_value(json_object_get(other, "key")), key);
+        if (strcmp(json_string_value(json_object_get(claim, "level")), "uncertainty") != 0)
+            continue;
+        if (json_unpack((json_t *)numbers, "{s:F}", "factor", &factor) == 0) {
+            assert_true(factor <= before);
+            before = factor;
+        }
+        if (strcmp(key, "uncertainty") == 0) {
+            assert_int_equal(
+                json_unpack((json_t *)numbers, "{s:F, s:F, s:F}", "model", &model, "scans", &scans, "waves", &waves),
+                0);
+            assert_near(model + scans + waves, 1, 1e-12);
+        }
+    }
+}
+
 TEST_IN_WORKSPACE(every_row_holds)
 {
     make_folder(place);
@@ -101,7 +129,7 @@ TEST_IN_WORKSPACE(every_row_holds)
     const json_t *claims = NULL;
     for (size_t i = 0; i < line_count; i++) {
         if (strcmp(scene, lines[i][1]) != 0)
-            claims = claims_of(place, scene = lines[i][1]);
+            expect_list(claims = claims_of(place, scene = lines[i][1]));
         const bool wanted = strcmp(lines[i][2], "-") != 0;
         const char *text = said(claims, lines[i][0], wanted ? lines[i][2] : "");
         if ((text != NULL) != wanted)

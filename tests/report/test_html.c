@@ -224,9 +224,10 @@ TEST_CASE(folded_sections)
 /* A cell in bold is led to by its words, as a heading is. */
 TEST_CASE(bold_cells_have_anchors)
 {
-    struct text page = rendered("[x](#strip-transfer)\n\n| a |\n|---|\n| **Strip transfer** |\n| plain **b** |\n");
-    expect_parts(body_of(&page), "<a href=\"#strip-transfer\">x</a>",
-                 "<td><strong>Strip transfer</strong><a id=\"strip-transfer\"></a></td>",
+    struct text page =
+        rendered("[x](#elastic-plastic-strip)\n\n| a |\n|---|\n| **Elastic-plastic strip** |\n| plain **b** |\n");
+    expect_parts(body_of(&page), "<a href=\"#elastic-plastic-strip\">x</a>",
+                 "<td><strong>Elastic-plastic strip</strong><a id=\"elastic-plastic-strip\"></a></td>",
                  "<td>plain <strong>b</strong></td>");
     text_free(&page);
 }
