@@ -64,7 +64,7 @@ TEST_IN_PLACE(columns_follow_from_the_others)
 {
     char *report = report_of(place, JOINT);
     struct table contact = directory_table(place, "out/data/contact.csv");
-    const struct gas *helium = gas_find("helium");
+    const struct gas *helium = gas_named("helium");
     double jump_m = gas_jump_length(helium, 320, 0.5 * 101325, 0.5, 0.5);
     size_t gaps = 0, equal = 0, own = 0, plated = 0, hot = 0;
     for (size_t i = 0; i < contact.rows; i++) {
