@@ -3,6 +3,8 @@
 
 #include "base/words.h"
 #include "contact/model.h"
+#include "joint/gas.h"
+#include "spectrum/parameters.h"
 #include <signal.h>
 #include <stdio.h>
 #include <time.h>
@@ -137,6 +139,23 @@ size_t model_named(const char *name)
             return m;
     fail_msg("no model '%s'", name);
     return model_count;
+}
+
+const struct gas *gas_named(const char *name)
+{
+    for (size_t i = 0; i < gas_count; i++)
+        if (strcmp(gas_table[i].name, name) == 0)
+            return &gas_table[i];
+    fail_msg("no gas '%s'", name);
+    return NULL;
+}
+
+double parameter_named(const struct parameters *parameters, const char *name)
+{
+    for (size_t p = 0; p < PARAMETERS_COUNT; p++)
+        if (strcmp(parameters_rows[p].name, name) == 0)
+            return parameters->value[p];
+    return NAN;
 }
 
 static size_t count_columns(const char *line)

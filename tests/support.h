@@ -101,8 +101,14 @@ struct words *support_words(void);
 /** A JSON value, the test's; fails it when the text is none, or one with a key twice. */
 json_t *support_json(const char *text);
 
+struct gas;
+struct parameters;
 /** Index in the table of models of the one of that name, such as "gw"; fails the test when there is none. */
 size_t model_named(const char *name);
+/** The gas of the table of that name; fails the test when there is none. */
+const struct gas *gas_named(const char *name);
+/** The parameter called `name`, such as "q"; NaN: no such row. */
+double parameter_named(const struct parameters *parameters, const char *name);
 
 /** A reference table, the test's: a CSV file of tests/data; lines that start with # name its origin. Cells are text. */
 struct table {

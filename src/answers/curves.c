@@ -138,8 +138,8 @@ static enum status_code run_model(struct surface_record *record, size_t m, const
     return STATUS_OK;
 }
 
-/** What a perfect lay would change in model `m`: with frequencies times kappa = sqrt(1/2) the surface is, in lengths
- * that are 1/kappa times its own, this one of a modulus kappa E'. */
+/** What a perfect lay, kappa = sqrt(1/2), would change in model `m`. Scaling x by 1/kappa leaves the contact the same
+ * if the modulus becomes kappa E'. */
 static enum status_code run_perfect_lay(struct surface_record *record, size_t m, const struct model_task *task,
                                         struct status *status)
 {

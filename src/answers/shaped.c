@@ -219,7 +219,7 @@ static enum status_code no_answer(double pressure_Pa, struct status *status)
         return problem.code;
     *status = (struct status){0};
     if (isnan(pressure_Pa))
-        return status_fail(status, STATUS_MODEL, "%s; 'shape' takes another of 'models'", problem.message);
+        return status_fail(status, STATUS_MODEL, "%s; with 'shape', choose another of 'models'", problem.message);
     return status_fail(status, STATUS_MODEL, "at %.3g MPa %s; begin 'load' higher, or correct 'shape'",
                        pressure_Pa * 1e-6, problem.message);
 }

@@ -366,16 +366,33 @@ static double names_width(const struct chart_panel *panel)
     return fmax(0, LETTER * longest + NAME - LEFT);
 }
 
-/** Has the names of marks across x, above the panel, stay within it. */
-static void align_marks(const struct chart_panel *panel, const struct chart_extent *x)
+/** Has the names of marks across x, above the panel, stay within it and beside one another: from the last one on, each
+ * over its line, or ending where the next begins. `left` and `wide` are the panel's. */
+static void align_marks(const struct chart_panel *panel, const struct chart_extent *x, double left, double wide)
 {
+    double end = wide;
     size_t i;
     json_t *mark;
-    json_array_foreach(panel->marks, i, mark)
-    {
-        double at = json_number_value(json_object_get(mark, "at"));
-        double share = panel->log_x ? log(at / x->low) / log(x->high / x->low) : (at - x->low) / (x->high - x->low);
-        json_object_set_new(mark, "side", json_string(share > 0.8 ? "right" : "center"));
+    json_array_foreach(panel->marks, i, mark) json_object_del(mark, "name_x");
+    for (;;) {
+        json_t *next = NULL;
+        double at = -INFINITY;
+        json_array_foreach(panel->marks, i, mark)
+        {
+            const double own = json_number_value(json_object_get(mark, "at"));
+            if (json_object_get(mark, "vertical") && !json_object_get(mark, "name_x") && own > at) {
+                at = own;
+                next = mark;
+            }
+        }
+        if (!next)
+            return;
+        const double share =
+            panel->log_x ? log(at / x->low) / log(x->high / x->low) : (at - x->low) / (x->high - x->low);
+        const double name = LETTER * text_characters(json_string_value(json_object_get(next, "name")));
+        const double start = fmin(share * wide - name / 2, end - name);
+        json_object_set_new(next, "name_x", json_real((left + start) / WIDTH));
+        end = start - LETTER;
     }
 }
 
@@ -398,7 +415,7 @@ static json_t *panel_view(const struct chart *chart, const struct layout *layout
     double names = names_width(panel);
     double left = LEFT + (double)column * (layout->wide + layout->gap), top = layout->top[row];
     mark_more(panel->curves, "more");
-    align_marks(panel, &x);
+    align_marks(panel, &x, left + names, layout->wide - names);
     json_t *ticks = json_array_size(panel->names) > 0
                         ? json_incref(panel->names)
                         : ticks_of(&y, panel->log_y, layout->letters, layout->panel < 150 ? 4 : 6);

@@ -881,7 +881,7 @@ enum status_code figures_draw(struct figures *out, const struct results *results
                             .baseline = &results->surfaces[results->baseline],
                             .asked = asked_of(results),
                             .words = task->words};
-    const struct heating_metal *metal = heating_metal_find(source.baseline->summary.scene->bodies.material.name);
+    const struct heating_metal *metal = heating_metal_find(scene_softer(&source.baseline->summary.scene->bodies)->name);
     struct mustache_folder folder = {task->templates, ".gp", NULL, status};
     source.leading = plan_leading_model(results->plan);
     source.hottest_C = fmin(metal ? metal->melting_K - 273.15 : NAN, 1000);

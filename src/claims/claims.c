@@ -21,15 +21,44 @@ struct claims {
     struct words *words;
     struct asked asked;
     size_t leading;
-    const char *key; /* of the row, or of one of its variants */
-    size_t i;        /* of those that the row says one after another */
+    const struct claim_row *row;
+    const char *key; /* the row's, or one of its variants */
+    size_t i;        /* the surface, target or limit that the row is asked about; else the baseline */
     double weight;   /* a factor: within a level the largest comes first */
     json_t *numbers, *surface;
     struct text told; /* what its words are filled with, as words_add() takes it */
     struct text text, markdown;
 };
 
-/* ---- Putting one together ---- */
+/** Surfaces of which something is so: the first two, and how many there are. */
+struct named {
+    size_t surface[NAMED], count;
+};
+
+/** What a function says of surfaces. */
+struct extent {
+    double least, most; /* infinite: it says nothing of any */
+    size_t at_most;
+    struct named on;
+};
+
+/** What a row is asked about, claims.i: the baseline once, or each; of the usable surfaces the first of which it is so.
+ */
+enum claim_about { ABOUT_BASELINE, ABOUT_SURFACES, ABOUT_TARGETS, ABOUT_LIMITS };
+
+/** A claim: said where `when` says so, which fills its numbers, and may take another key where the case is another. */
+struct claim_row {
+    const char *key;
+    enum claim_level level;
+    bool (*when)(struct claims *c);
+    enum claim_about about;
+    bool melts;         /* heated() */
+    enum effect effect; /* share(), with: */
+    double (*share)(const struct claims *c, size_t surface);
+    const char *unit;
+};
+
+/* ---- What the results say ---- */
 
 static const char *name_of(const struct claims *c, size_t surface)
 {
@@ -47,21 +76,98 @@ static size_t usable(const struct claims *c, size_t k)
     return c->results->by_roughness[k];
 }
 
+static bool runs(const struct claims *c, enum effect effect)
+{
+    return plan_runs(c->results->plan, effect);
+}
+
+/** A quantity of the leading model where the summary stands. */
+static double answer(const struct claims *c, size_t surface, enum quantity quantity)
+{
+    return comparison_middle(c->results, c->leading, surface).value[quantity];
+}
+
+/** Does a filler's bond line keep the metals apart where the summary stands? */
+static bool nothing_touches(const struct claims *c, size_t surface)
+{
+    return answer(c, surface, QUANTITY_AREA) == 0;
+}
+
+static void add_name(struct named *named, size_t surface)
+{
+    if (named->count++ < NAMED)
+        named->surface[named->count - 1] = surface;
+}
+
+/** Of the usable surfaces of which `of` says something, and that below a limit. */
+static struct extent extent_of(const struct claims *c, double (*of)(const struct claims *c, size_t surface),
+                               double below)
+{
+    struct extent extent = {.least = INFINITY, .most = -INFINITY};
+    for (size_t k = 0; k < c->results->usable_count; k++) {
+        const double value = of(c, usable(c, k));
+        if (!(value < below && value > -INFINITY))
+            continue;
+        extent.at_most = value > extent.most ? usable(c, k) : extent.at_most;
+        extent.least = fmin(extent.least, value);
+        extent.most = fmax(extent.most, value);
+        add_name(&extent.on, usable(c, k));
+    }
+    return extent;
+}
+
+/* ---- What fills a sentence ---- */
+
+/** Numbers that claims name, as a sentence shows them. */
+static const struct shown {
+    const char *name;
+    double scale; /* what is shown over SI */
+    int digits;
+    const char *unit;
+} shown_numbers[] = {
+    {"hardness", 1e-6, 3, "MPa"}, {"pressure", 1e-6, 3, "MPa"}, {"voltage", 1, 2, "V"}, {"limit", 1, 2, "V"},
+    {"current", 1, 3, "A"},       {"line", 1e6, 3, "µm"},       {"gap", 1e6, 2, "µm"},  {"usual", 1e6, 2, "µm"},
+    {"most", 1, 2, "W/(m²·K)"},   {"factor", 1, 2, ""},         {"exponent", 1, 2, ""}, {"waves", 1, 2, ""},
+    {"model", 1, 2, ""},          {"bulge", 1e6, 2, "µm"},      {"side", 1e3, 2, "mm"}, {"nominal", 1e6, 3, "mm²"},
+    {"accuracy", 100, 2, "%"},    {"thickness", 1e6, 2, "µm"},
+};
+
 static void put_text(struct claims *c, const char *name, const char *string)
 {
     text_add(&c->told, "\n%s ", name);
     text_add_shown(&c->told, string);
 }
 
-static void put_number(struct claims *c, const char *name, double value, double shown, int digits, const char *unit)
+/** "low to high" as shown, or one of them where both read alike; results.json has `numbers`. */
+static void put_shown(struct claims *c, const char *name, json_t *numbers, const double shown[2], int digits,
+                      const char *unit)
 {
     struct text text = {0};
-    json_set(c->numbers, name, value);
-    number_format(&text, shown, digits);
-    if (unit[0])
-        text_add(&text, "\u00a0%s", unit);
+    json_object_set_new(c->numbers, name, numbers);
+    number_format_range(&text, shown[0], shown[1], digits);
+    text_add(&text, "%s%s", unit[0] ? "\u00a0" : "", unit);
     put_text(c, name, text_string(&text));
     text_free(&text);
+}
+
+static void put_number(struct claims *c, const char *name, double value, double shown, int digits, const char *unit)
+{
+    put_shown(c, name, json_finite(value), (const double[]){shown, shown}, digits, unit);
+}
+
+static void put_range(struct claims *c, const char *name, double low, double high, int digits, const char *unit)
+{
+    const double ends[] = {low, high};
+    put_shown(c, name, json_numbers(ends, 2), ends, digits, unit);
+}
+
+/** One of shown_numbers. */
+static void put(struct claims *c, const char *name, double value)
+{
+    const struct shown *how = shown_numbers;
+    while (strcmp(how->name, name) != 0)
+        how++;
+    put_number(c, name, value, value * how->scale, how->digits, how->unit);
 }
 
 static void put_count(struct claims *c, const char *name, size_t count)
@@ -76,16 +182,11 @@ static void put_load(struct claims *c, const char *name, size_t surface, double 
     put_number(c, name, load, load * as.scale, 3, as.unit[0] ? as.unit : "E′Aₙ");
 }
 
-/** "a to b", or one of them where both read alike. */
-static void put_range(struct claims *c, const char *name, double least, double most, int digits, const char *unit)
+static void put_asked(struct claims *c, const char *name, const struct scene_asked *asked)
 {
-    struct text text = {0};
-    json_set_all(c->numbers, name, (const double[]){least, most}, 2);
-    number_format_range(&text, least, most, digits);
-    if (unit[0])
-        text_add(&text, "\u00a0%s", unit);
-    put_text(c, name, text_string(&text));
-    text_free(&text);
+    char text[UNIT_LENGTH + 20];
+    asked_text(text, sizeof text, asked->text);
+    put_text(c, name, text);
 }
 
 static void put_surface(struct claims *c, size_t surface)
@@ -95,20 +196,19 @@ static void put_surface(struct claims *c, size_t surface)
     put_text(c, "name", name_of(c, surface));
 }
 
-/** At most two names, and how many more: "*a*, *b* and 3 more". */
-static void put_names(struct claims *c, const size_t *surfaces, size_t count)
+/** "a", "a and b", "a, b and 3 more"; false: none. */
+static bool put_names(struct claims *c, const struct named *named)
 {
     struct text text = {0};
-    for (size_t i = 0; i < count && i < NAMED; i++) {
-        text_add(&text, i > 0 && count == NAMED ? " and " : i > 0 ? ", " : "");
-        text_add(&text, "%s", name_of(c, surfaces[i]));
-    }
-    if (count > NAMED)
-        text_add(&text, " and %zu more", count - NAMED);
-    if (count == 1 && !c->surface)
-        c->surface = json_shown(name_of(c, surfaces[0]));
+    for (size_t i = 0; i < named->count && i < NAMED; i++)
+        text_add(&text, "%s%s", i == 0 ? "" : named->count == NAMED ? " and " : ", ", name_of(c, named->surface[i]));
+    if (named->count > NAMED)
+        text_add(&text, " and %zu more", named->count - NAMED);
+    if (named->count == 1 && !c->surface)
+        c->surface = json_shown(name_of(c, named->surface[0]));
     put_text(c, "names", text_string(&text));
     text_free(&text);
+    return named->count > 0;
 }
 
 /** Of a value and its interval: two digits where that is wider than a factor 1.2 to either side. */
@@ -117,70 +217,34 @@ static int digits_of(double low, double high)
     return high > 1.44 * low ? 2 : 3;
 }
 
-static bool say(struct claims *c, json_t **out, const char *level)
-{
-    struct text later = {0};
-    text_add(&later, "claim.%s%s", c->key, text_string(&c->told));
-    bool said = words_add(&c->text, c->words, text_string(&later), text_add_unmarked) &&
-                words_add(&c->markdown, c->words, text_string(&later), text_add_markdown_shown);
-    text_strip_marks(&c->text);
-    if (said)
-        *out = json_pack("{s:s, s:s, s:o, s:o, s:s, s:s}", "key", c->key, "level", level, "surface",
-                         c->surface ? json_incref(c->surface) : json_null(), "numbers", json_incref(c->numbers), "text",
-                         text_string(&c->text), "markdown", text_string(&c->markdown));
-    text_free(&later);
-    return said && *out;
-}
-
-static void reset(struct claims *c, const char *key)
-{
-    json_decref(c->numbers);
-    json_decref(c->surface);
-    text_free(&c->told);
-    text_free(&c->text);
-    text_free(&c->markdown);
-    c->key = key;
-    c->weight = 1;
-    c->numbers = json_object();
-    c->surface = NULL;
-}
-
 /* ---- What stops a reader ---- */
 
 static bool refused(struct claims *c)
 {
-    size_t files = 0, all = 0, names[NAMED] = {0}, count = 0;
+    size_t files = 0, all = 0;
+    struct named on = {0};
     for (size_t i = 0; i < c->results->surface_count; i++) {
         const struct surface_summary *s = summary_of(c, i);
         const size_t own = s->scene->files.count, out = s->usable ? s->refused_scans : own;
         all += own;
         files += out;
-        if (out > 0 && count++ < NAMED)
-            names[count - 1] = i;
+        if (out > 0)
+            add_name(&on, i);
     }
-    if (files == 0)
-        return false;
+    c->key = files == 1 ? "refused-one" : "refused";
     put_count(c, "count", files);
     put_count(c, "all", all);
-    put_names(c, names, count);
-    return true;
+    return put_names(c, &on);
 }
 
 /** Is the mean pressure where the summary stands beyond what the softer body bears? */
 static bool beyond_hardness(struct claims *c)
 {
-    for (size_t k = 0; k < c->results->usable_count; k++) {
-        const size_t i = usable(c, k);
-        const struct material_pair *pair = results_pair(c->results, i);
-        const double pressure_Pa = material_pair_pressure(pair, results_operating_load(c->results, i));
-        if (!model_rows[c->leading]->plastic || !(pressure_Pa >= pair->hardness_Pa))
-            continue;
-        put_surface(c, i);
-        put_number(c, "hardness", pair->hardness_Pa, pair->hardness_Pa * 1e-6, 3, "MPa");
-        put_number(c, "pressure", pressure_Pa, pressure_Pa * 1e-6, 3, "MPa");
-        return true;
-    }
-    return false;
+    const struct material_pair *pair = results_pair(c->results, c->i);
+    const double pressure_Pa = material_pair_pressure(pair, results_operating_load(c->results, c->i));
+    put(c, "hardness", pair->hardness_Pa);
+    put(c, "pressure", pressure_Pa);
+    return model_rows[c->leading]->plastic && pressure_Pa >= pair->hardness_Pa;
 }
 
 /** Spots where the answer stands, by the model's own count or by spots all alike that have its area and resistance, the
@@ -189,187 +253,113 @@ static double spots_on(const struct claims *c, size_t surface)
 {
     const struct contact_point at = comparison_middle(c->results, c->leading, surface);
     const struct material_pair *pair = results_pair(c->results, surface);
-    const double *value = at.value;
-    const bool electrical = isfinite(value[QUANTITY_ECR]);
+    const bool electrical = isfinite(at.value[QUANTITY_ECR]);
     const struct contact_spots alike =
-        joint_equal_spots(value[QUANTITY_AREA], value[electrical ? QUANTITY_ECR : QUANTITY_TCR],
+        joint_equal_spots(at.value[QUANTITY_AREA], at.value[electrical ? QUANTITY_ECR : QUANTITY_TCR],
                           electrical ? pair->resistivity_ohm_m : 1 / pair->conductivity_W_per_mK);
-    double per_m2 = fmin(value[QUANTITY_SPOT_DENSITY], alike.density_per_m2);
+    double per_m2 = fmin(at.value[QUANTITY_SPOT_DENSITY], alike.density_per_m2);
     if (c->asked.target) {
         const struct known load = known_load(c->results, c->asked.target, surface);
         const size_t t = (size_t)(c->asked.target - c->results->scene->targets);
-        const double counted = summary_of(c, surface)->answers[t * model_count + c->leading].spots_per_m2;
         if (load.kind != KNOWN_VALUE && load.kind != KNOWN_AT_MOST)
             return NAN;
-        per_m2 = fmin(counted, per_m2 * load.value / results_operating_load(c->results, surface));
+        per_m2 = fmin(summary_of(c, surface)->answers[t * model_count + c->leading].spots_per_m2,
+                      per_m2 * load.value / results_operating_load(c->results, surface));
     }
     return per_m2 * c->results->scene->nominal_area_m2;
 }
 
 static bool few_spots(struct claims *c)
 {
-    double least = INFINITY, most = 0;
-    size_t names[NAMED] = {0}, count = 0;
-    for (size_t k = 0; k < c->results->usable_count; k++) {
-        const double spots = spots_on(c, usable(c, k));
-        if (!(spots < answers_least_spots))
-            continue;
-        least = fmin(least, spots);
-        most = fmax(most, spots);
-        if (count++ < NAMED)
-            names[count - 1] = usable(c, k);
-    }
-    if (count == 0)
+    const struct extent spots = extent_of(c, spots_on, answers_least_spots);
+    c->key = spots.most < 1 ? "few-spots-one" : "few-spots";
+    put_range(c, "spots", fmax(spots.least, 1), fmax(spots.most, 1), 2, "");
+    return put_names(c, &spots.on);
+}
+
+/** Does the voltage over a spot soften the softer metal, or melt it? */
+static bool heated(struct claims *c)
+{
+    const struct joint *joint = &c->results->scene->joint;
+    const struct material *metal = scene_softer(&summary_of(c, c->i)->scene->bodies);
+    const struct heating_metal *stands = heating_metal_find(metal->name);
+    const double voltage_V = answer(c, c->i, QUANTITY_VOLTAGE);
+    if (!stands)
         return false;
-    if (most < 1)
-        c->key = "few-spots-one";
-    put_range(c, "spots", fmax(least, 1), fmax(most, 1), 2, "");
-    put_names(c, names, count);
-    return true;
-}
-
-static bool heated(struct claims *c, bool melts)
-{
-    for (size_t k = 0; k < c->results->usable_count; k++) {
-        const size_t i = usable(c, k);
-        const struct scene_bodies *bodies = &summary_of(c, i)->scene->bodies;
-        const bool other = bodies->counterface_kind == MATERIAL_COUNTERFACE_ELASTIC &&
-                           bodies->counterface.yield_strength_Pa < bodies->material.yield_strength_Pa;
-        const struct material *metal = other ? &bodies->counterface : &bodies->material;
-        const struct heating_metal *stands = heating_metal_find(metal->name);
-        const double voltage_V = comparison_middle(c->results, c->leading, i).value[QUANTITY_VOLTAGE];
-        if (!stands || !isfinite(voltage_V))
-            continue;
-        const double melting_V = heating_voltage(stands->melting_K, c->results->scene->joint.temperature_K),
-                     soft_V = stands->softening_voltage_V;
-        if (melts ? !(voltage_V >= melting_V) : !(voltage_V >= soft_V && voltage_V < melting_V))
-            continue;
-        const double limit_V = melts ? melting_V : soft_V;
-        put_number(c, "voltage", voltage_V, voltage_V, 2, "V");
-        put_number(c, "limit", limit_V, limit_V, 2, "V");
-        put_number(c, "current", c->results->scene->joint.current_A, c->results->scene->joint.current_A, 3, "A");
-        put_text(c, "metal", metal->name);
-        put_surface(c, i);
-        return true;
-    }
-    return false;
-}
-
-static bool softens(struct claims *c)
-{
-    return heated(c, false);
-}
-
-static bool melts(struct claims *c)
-{
-    return heated(c, true);
+    const double melting_V = heating_voltage(stands->melting_K, joint->temperature_K);
+    const double limit_V = c->row->melts ? melting_V : stands->softening_voltage_V;
+    put(c, "voltage", voltage_V);
+    put(c, "limit", limit_V);
+    put(c, "current", joint->current_A);
+    put_text(c, "metal", metal->name);
+    return voltage_V >= limit_V && (c->row->melts || voltage_V < melting_V);
 }
 
 /** Does a medium fill the gaps? */
 static bool has_medium(const struct claims *c)
 {
-    return plan_runs(c->results->plan, EFFECT_GAP) && c->results->scene->joint.fill == JOINT_MEDIUM;
-}
-
-/** Does a filler's bond line keep the metals apart where the summary stands? */
-static bool nothing_touches(const struct claims *c, size_t surface)
-{
-    return comparison_middle(c->results, c->leading, surface).value[QUANTITY_AREA] == 0;
+    return runs(c, EFFECT_GAP) && c->results->scene->joint.fill == JOINT_MEDIUM;
 }
 
 static bool bond_line(struct claims *c)
 {
     const struct joint *joint = &c->results->scene->joint;
-    for (size_t k = 0; has_medium(c) && k < c->results->usable_count; k++) {
-        if (!nothing_touches(c, usable(c, k)))
-            continue;
-        const double ceiling = joint->conductivity_W_per_mK / joint->bond_line_m;
-        put_surface(c, usable(c, k));
-        put_number(c, "line", joint->bond_line_m, joint->bond_line_m * 1e6, 3, "µm");
-        put_number(c, "most", ceiling, ceiling, 2, "W/(m²·K)");
-        return true;
-    }
-    return false;
+    put(c, "line", joint->bond_line_m);
+    put(c, "most", joint->conductivity_W_per_mK / joint->bond_line_m);
+    return has_medium(c) && nothing_touches(c, c->i);
 }
 
 static bool bond_line_missing(struct claims *c)
 {
     static const double usual_m = 50e-6;
     const struct joint *joint = &c->results->scene->joint;
-    if (!has_medium(c) || joint->bond_line_m > 0)
-        return false;
-    const double gap_m = comparison_middle(c->results, c->leading, c->results->baseline).value[QUANTITY_SEPARATION];
-    put_number(c, "gap", gap_m, gap_m * 1e6, 2, "µm");
-    put_number(c, "usual", usual_m, usual_m * 1e6, 2, "µm");
-    put_number(c, "most", joint->conductivity_W_per_mK / usual_m, joint->conductivity_W_per_mK / usual_m, 2,
-               "W/(m²·K)");
-    return true;
+    put(c, "gap", answer(c, c->i, QUANTITY_SEPARATION));
+    put(c, "usual", usual_m);
+    put(c, "most", joint->conductivity_W_per_mK / usual_m);
+    return has_medium(c) && !(joint->bond_line_m > 0);
 }
 
 static bool loads_short(struct claims *c)
 {
-    for (size_t k = 0; c->asked.target && k < c->results->usable_count; k++)
-        if (known_load(c->results, c->asked.target, usable(c, k)).short_loads) {
-            put_surface(c, usable(c, k));
-            return true;
-        }
-    return false;
+    return c->asked.target && known_load(c->results, c->asked.target, c->i).short_loads;
 }
 
 /* ---- Verdicts ---- */
 
-/** A surface's measurement and what it makes of the model; only the first two surfaces. */
-static bool measured_on(struct claims *c, size_t surface)
-{
-    const struct measured *measured = results_measured(c->results, surface);
-    const struct measured_answers *answers = measured ? &c->results->answers[surface] : NULL;
-    if (!measured)
-        return false;
-    put_surface(c, surface);
-    if (answers->fit.count == 0) {
-        c->key = "measured-elsewhere";
-        return true;
-    }
-    const double factor = estimate_value(&answers->fit), low = estimate_end(&answers->fit, 0),
-                 high = estimate_end(&answers->fit, 1);
-    put_number(c, "factor", factor, factor, digits_of(low, high), "");
-    put_range(c, "interval", isfinite(low) ? low : factor, isfinite(high) ? high : factor, digits_of(low, high), "");
-    c->key =
-        known_carried(c->results, results_measured_quantity(c->results), surface) == 1 ? "measured-beside" : "measured";
-    const struct known load = c->asked.target && !strcmp(c->key, "measured")
-                                  ? known_load(c->results, c->asked.target, surface)
-                                  : (struct known){.kind = KNOWN_NOTHING};
-    if (load.kind == KNOWN_VALUE && load.measured) {
-        char target[UNIT_LENGTH + 20];
-        asked_text(target, sizeof target, c->asked.target->text);
-        put_text(c, "target", target);
-        put_load(c, "load", surface, load.value);
-        c->key = "measured-target";
-    }
-    return true;
-}
-
+/** A surface's measurement, and what it makes of the model. */
 static bool measured(struct claims *c)
 {
-    for (size_t i = 0; i < c->results->surface_count; i++)
-        if (summary_of(c, i)->usable && measured_on(c, i))
-            return true;
-    return false;
+    if (!results_measured(c->results, c->i))
+        return false;
+    const struct estimate *fit = &c->results->answers[c->i].fit;
+    const double factor = estimate_value(fit), low = estimate_end(fit, 0), high = estimate_end(fit, 1);
+    c->key = "measured-elsewhere";
+    if (fit->count == 0)
+        return true;
+    put_number(c, "factor", factor, factor, digits_of(low, high), "");
+    put_range(c, "interval", isfinite(low) ? low : factor, isfinite(high) ? high : factor, digits_of(low, high), "");
+    c->key = "measured-beside";
+    if (known_carried(c->results, results_measured_quantity(c->results), c->i) == 1)
+        return true;
+    c->key = "measured";
+    const struct known load =
+        c->asked.target ? known_load(c->results, c->asked.target, c->i) : (struct known){.kind = KNOWN_NOTHING};
+    if (load.kind != KNOWN_VALUE || !load.measured)
+        return true;
+    c->key = "measured-target";
+    put_asked(c, "target", c->asked.target);
+    put_load(c, "load", c->i, load.value);
+    return true;
 }
 
 static bool not_flat(struct claims *c)
 {
-    for (size_t i = 0; i < c->results->surface_count; i++) {
-        const struct measured_exponent *exponent =
-            results_measured(c->results, i) ? &c->results->answers[i].exponent : NULL;
-        if (!exponent || !exponent->not_flat)
-            continue;
-        put_surface(c, i);
-        put_number(c, "exponent", exponent->measured, exponent->measured, 2, "");
-        put_number(c, "model", exponent->model, exponent->model, 2, "");
-        return true;
-    }
-    return false;
+    if (!results_measured(c->results, c->i))
+        return false;
+    const struct measured_exponent *exponent = &c->results->answers[c->i].exponent;
+    put(c, "exponent", exponent->measured);
+    put(c, "model", exponent->model);
+    return exponent->not_flat;
 }
 
 /** Is the area load over hardness on all surfaces, so that they cannot differ in it? */
@@ -387,43 +377,37 @@ static bool area_pressed(struct claims *c)
     return true;
 }
 
-/** Does the table have a measured number of any surface, which models do not rank? */
-static bool any_measured(const struct claims *c)
-{
-    for (size_t k = 0; k < c->results->usable_count; k++)
-        if (known_value(c->results, c->asked.quantity, usable(c, k)).measured)
-            return true;
-    return false;
-}
-
-/** Is a surface better than the first of the ranking that is not in it, as nothing is known of its scatter? */
-static bool better_unranked(const struct claims *c)
+/** Does the ranking decide what the table shows: no number there is measured, which models do not rank, and none is
+ * better than its first, of a surface that it leaves out since nothing is known of that one's scatter. */
+static bool ranking_holds(const struct claims *c)
 {
     const struct comparison_ranking *ranking = &c->comparison->ranking;
-    const enum quantity quantity = ranking->criterion;
-    const double best = comparison_middle(c->results, c->leading, ranking->surface[0]).value[quantity];
+    const bool rises = quantity_rows[ranking->criterion].is & QUANTITY_RISES;
+    if (ranking->count < 2)
+        return false;
+    const double best = answer(c, ranking->surface[0], ranking->criterion);
     for (size_t k = 0; k < c->results->usable_count; k++) {
-        const double value = comparison_middle(c->results, c->leading, usable(c, k)).value[quantity];
-        if ((quantity_rows[quantity].is & QUANTITY_RISES) ? value > best : value < best)
-            return true;
+        const double value = answer(c, usable(c, k), ranking->criterion);
+        if (known_value(c->results, c->asked.quantity, usable(c, k)).measured || (rises ? value > best : value < best))
+            return false;
     }
-    return false;
+    return true;
 }
 
 /** Where the surfaces are not told apart by what stands in the table, or are. */
 static bool rank(struct claims *c)
 {
     const struct comparison_ranking *ranking = &c->comparison->ranking;
-    size_t like = 0, next = 1, names[NAMED] = {0};
-    if (c->results->usable_count < 2 || ranking->count < 2 || any_measured(c) || area_pressed(c) || better_unranked(c))
+    struct named like = {0};
+    size_t next = 1;
+    if (!ranking_holds(c) || area_pressed(c))
         return false;
     for (size_t j = 1; j < ranking->count; j++) {
         const struct comparison_pair *pair = comparison_pair_of(ranking, 0, j);
         if (!comparison_told_apart(pair)) {
-            next = like == 0 ? j : next;
-            if (like++ < NAMED)
-                names[like - 1] = ranking->surface[j];
-        } else if (like == 0 && pair->p > comparison_pair_of(ranking, 0, next)->p)
+            next = like.count == 0 ? j : next;
+            add_name(&like, ranking->surface[j]);
+        } else if (like.count == 0 && pair->p > comparison_pair_of(ranking, 0, next)->p)
             next = j;
     }
     const double p = comparison_pair_of(ranking, 0, next)->p;
@@ -431,30 +415,31 @@ static bool rank(struct claims *c)
     put_surface(c, ranking->surface[0]);
     put_text(c, "next", name_of(c, ranking->surface[next]));
     put_count(c, "count", ranking->count);
-    put_names(c, names, like);
+    (void)put_names(c, &like);
     put_number(c, "p", p, fmax(p, 1e-4), 2, "");
-    c->key = like == 0 ? "best" : like + 1 < ranking->count ? "same-some" : ranking->count == 2 ? "same-two" : "same";
+    c->key = like.count == 0                   ? "best"
+             : like.count + 1 < ranking->count ? "same-some"
+             : ranking->count == 2             ? "same-two"
+                                               : "same";
     return true;
 }
 
-/** The other targets' loads: the surface that each takes the least on. */
+/** A target beside the first: its load on the surface that takes the least. */
 static bool further_target(struct claims *c)
 {
     const struct scene_asked *target = &c->results->scene->targets[c->i];
     struct known best = {.kind = KNOWN_NOTHING, .value = INFINITY};
     size_t on = 0;
-    for (size_t k = 0; target != c->asked.target && k < c->results->usable_count; k++) {
+    if (target == c->asked.target)
+        return false;
+    for (size_t k = 0; k < c->results->usable_count; k++) {
         const struct known own = known_load(c->results, target, usable(c, k));
         if ((own.kind == KNOWN_VALUE || own.kind == KNOWN_AT_MOST) && own.value < best.value) {
             best = own;
             on = usable(c, k);
         }
     }
-    if (target == c->asked.target)
-        return false;
-    char text[UNIT_LENGTH + 20];
-    asked_text(text, sizeof text, target->text);
-    put_text(c, "target", text);
+    put_asked(c, "target", target);
     put_text(c, "symbol", target->symbol);
     c->key = best.kind == KNOWN_NOTHING ? "target-never" : isnan(best.low) ? "target-alone" : "target";
     if (best.kind == KNOWN_NOTHING)
@@ -467,34 +452,31 @@ static bool further_target(struct claims *c)
     return true;
 }
 
-static const char *const verdict_keys[] = {[LIMIT_NO_VALUE] = "limit-no-value",
-                                           [LIMIT_MET] = "limit-met",
-                                           [LIMIT_MISSED] = "limit-missed",
-                                           [LIMIT_UNDECIDED] = "limit-undecided"};
-
-/** The limits that the table has no column for: by how many surfaces they are missed, else undecided, else met. */
+/** A limit that the table has no column for: the surfaces that miss it, else those where it is undecided, else that it
+ * is met. */
 static bool further_limit(struct claims *c)
 {
-    const size_t l = c->i + ASKED_LIMIT_COLUMNS;
-    static const enum limit_verdict order[] = {LIMIT_MISSED, LIMIT_UNDECIDED, LIMIT_NO_VALUE, LIMIT_MET};
-    const struct scene_asked *limit = &c->results->scene->limits[l];
+    static const struct {
+        enum limit_verdict verdict;
+        const char *key;
+    } order[] = {{LIMIT_MISSED, "limit-missed"},
+                 {LIMIT_UNDECIDED, "limit-undecided"},
+                 {LIMIT_NO_VALUE, "limit-no-value"},
+                 {LIMIT_MET, "limit-met"}};
+    const struct scene_asked *limit = &c->results->scene->limits[c->i];
     char text[4 * UNIT_LENGTH], unit[UNIT_LENGTH + 20];
+    struct named on = {0};
     asked_text(unit, sizeof unit, limit->text);
     snprintf(text, sizeof text, "%s %s %s", limit->symbol, limit->is_most ? "≤" : "≥", unit);
-    for (size_t o = 0; o < sizeof order / sizeof *order; o++) {
-        size_t names[NAMED] = {0}, count = 0;
+    for (size_t o = 0; o < sizeof order / sizeof *order && on.count == 0; o++) {
+        c->key = order[o].key;
         for (size_t k = 0; k < c->results->usable_count; k++)
-            if (summary_of(c, usable(c, k))->limits[l].verdict == order[o] && count++ < NAMED)
-                names[count - 1] = usable(c, k);
-        if (count == 0)
-            continue;
-        c->key = verdict_keys[order[o]];
-        put_text(c, "limit", text);
-        put_count(c, "count", count);
-        put_names(c, names, count);
-        return true;
+            if (summary_of(c, usable(c, k))->limits[c->i].verdict == order[o].verdict)
+                add_name(&on, usable(c, k));
     }
-    return false;
+    put_text(c, "limit", text);
+    put_count(c, "count", on.count);
+    return put_names(c, &on) && c->i >= ASKED_LIMIT_COLUMNS;
 }
 
 /** Scans of a surface beyond those there are, after which an interval of this standard deviation of one scan, and of a
@@ -509,7 +491,7 @@ static size_t more_scans(double sd, double own, double distance, size_t scans)
     return 0;
 }
 
-/** Of what decides: a limit that is not decided, on the first surface that more scans would tell. */
+/** Of what decides: the first limit that is not decided, on the first surface that more scans would tell. */
 static bool scans_to_decide(struct claims *c)
 {
     for (size_t l = 0; l < c->results->scene->limit_count; l++)
@@ -533,59 +515,44 @@ static bool scans_to_decide(struct claims *c)
 
 /* ---- How far the answer may be off ---- */
 
-/** What is known of the asked quantity of a surface by the leading model. */
-static const struct estimate *estimate_on(const struct claims *c, size_t surface)
-{
-    return curve_summary_estimate(surface_model(summary_of(c, surface), c->leading), (int)c->asked.quantity);
-}
-
-/** The factor to either side of the interval of the asked quantity; NaN: it has none. */
+/** The factor to either side of the interval of a modelled answer; NaN: it has none. */
 static double factor_on(const struct claims *c, size_t surface)
 {
-    const struct estimate *estimate = estimate_on(c, surface);
-    return sqrt(estimate_end(estimate, 1) / estimate_end(estimate, 0));
+    const struct estimate *estimate =
+        curve_summary_estimate(surface_model(summary_of(c, surface), c->leading), (int)c->asked.quantity);
+    return known_value(c->results, c->asked.quantity, surface).measured
+               ? NAN
+               : sqrt(estimate_end(estimate, 1) / estimate_end(estimate, 0));
 }
 
-/** The usable surface whose interval is widest; SIZE_MAX: none has any. */
-static size_t widest(const struct claims *c)
-{
-    size_t at = SIZE_MAX;
-    for (size_t k = 0; k < c->results->usable_count; k++)
-        if (!known_value(c->results, c->asked.quantity, usable(c, k)).measured &&
-            factor_on(c, usable(c, k)) > (at == SIZE_MAX ? 1 : factor_on(c, at)))
-            at = usable(c, k);
-    return at;
-}
-
-/** The interval's factor, and what part of its variance each cause has: standard deviations of one total. */
+/** The widest interval of a modelled answer, and what part of its variance each cause has, the largest first. */
 static bool uncertainty(struct claims *c)
 {
-    const size_t surface = widest(c);
-    if (surface == SIZE_MAX)
+    static const char *const names[] = {"model", "scans", "waves"};
+    const struct extent factor = extent_of(c, factor_on, INFINITY);
+    if (!(factor.most > 1))
         return false;
-    const struct estimate *known = estimate_on(c, surface);
+    const size_t surface = factor.at_most;
+    const struct curve_summary *curve = surface_model(summary_of(c, surface), c->leading);
+    const struct estimate *known = curve_summary_estimate(curve, (int)c->asked.quantity);
     const double few = summary_of(c, surface)->has_tiles ? 0 : accuracy_few_waves_sd(c->results, surface),
                  own = model_sd(model_rows[c->leading], c->asked.quantity), ofs = known->model_sd * known->model_sd,
                  waves = few > 0 ? ofs * few * few / (few * few + own * own) : 0;
-    const double variance[] = {ofs - waves, known->s * known->s, waves};
-    static const char *const causes[] = {"cause.model", "cause.scans", "cause.waves"};
-    static const char *const names[] = {"model", "scans", "waves"};
+    double variance[] = {ofs - waves, known->s * known->s, waves};
     const double all = variance[0] + variance[1] + variance[2];
     struct text parts = {0};
-    bool taken[3] = {false};
     for (int n = 0; n < 3; n++) {
-        int most = -1;
-        for (int i = 0; i < 3; i++)
-            most = !taken[i] && (most < 0 || variance[i] > variance[most]) ? i : most;
-        taken[most] = true;
+        int most = 0;
+        for (int i = 1; i < 3; i++)
+            most = variance[i] > variance[most] ? i : most;
         json_set(c->numbers, names[most], variance[most] / all);
-        if (variance[most] < 0.03 * all)
-            continue;
-        text_add(&parts, parts.length > 0 ? ", " : "");
-        text_add(&parts, "%s", words_say(c->words, "%s\npercent %.0f", causes[most], 100 * variance[most] / all));
+        if (variance[most] >= 0.03 * all)
+            text_add(&parts, "%s%s", n > 0 ? ", " : "",
+                     words_say(c->words, "cause.%s\npercent %.0f", names[most], 100 * variance[most] / all));
+        variance[most] = -1;
     }
-    c->weight = factor_on(c, surface);
-    put_number(c, "factor", c->weight, c->weight, 2, "");
+    c->weight = factor.most;
+    put(c, "factor", c->weight);
     put_text(c, "parts", text_string(&parts));
     text_free(&parts);
     return true;
@@ -594,90 +561,87 @@ static bool uncertainty(struct claims *c)
 static bool not_flat_assumed(struct claims *c)
 {
     const struct results *results = c->results;
-    const struct surface_record *record = &results->surfaces[results->baseline];
+    const struct surface_record *record = &results->surfaces[c->i];
     const enum quantity asked = c->asked.quantity;
     const int way = asked == QUANTITY_ECR || asked == QUANTITY_JOINT_ECR ? JOINT_CURRENT : JOINT_HEAT;
     const struct joint_task joint = {&results->scene->joint, &record->summary.pair,
                                      .nominal_area_m2 = results->scene->nominal_area_m2,
                                      .effects = results->plan->running};
-    if (plan_runs(results->plan, EFFECT_SHAPE) || /* gaps that conduct need loads far below those of the report */
-        (way == JOINT_HEAT && plan_runs(results->plan, EFFECT_GAP) && joint.joint->fill != JOINT_VACUUM) ||
-        !(joint.nominal_area_m2 > 0) || record->summary.pair.unknown || !record->curves ||
-        !record->curves[c->leading].exists || (way == JOINT_HEAT && asked != QUANTITY_TCR && asked != QUANTITY_JOINT))
+    if (way == JOINT_HEAT && /* gaps that conduct need loads far below those of the report */
+        ((runs(c, EFFECT_GAP) && joint.joint->fill != JOINT_VACUUM) ||
+         (asked != QUANTITY_TCR && asked != QUANTITY_JOINT)))
+        return false;
+    if (runs(c, EFFECT_SHAPE) || !(joint.nominal_area_m2 > 0) || record->summary.pair.unknown || !record->curves ||
+        !record->curves[c->leading].exists)
         return false;
     c->weight = shaped_usual_factor(&record->curves[c->leading], model_rows[c->leading], &joint,
-                                    results_operating_load(results, results->baseline), way);
-    if (!(c->weight >= 1.05))
-        return false;
-    const double side_m = sqrt(joint.nominal_area_m2), bulge_m = shaped_usual_flatness * side_m;
-    c->key = way == JOINT_CURRENT || c->asked.reciprocal == (asked == QUANTITY_JOINT) ? "not-flat-assumed"
-                                                                                      : "not-flat-assumed-conductance";
-    put_number(c, "factor", c->weight, c->weight, 2, "");
-    put_number(c, "bulge", bulge_m, bulge_m * 1e6, 2, "µm");
-    put_number(c, "side", side_m, side_m * 1e3, 2, "mm");
-    return true;
+                                    results_operating_load(results, c->i), way);
+    const double side_m = sqrt(joint.nominal_area_m2);
+    if (way == JOINT_HEAT && c->asked.reciprocal != (asked == QUANTITY_JOINT))
+        c->key = "not-flat-assumed-conductance";
+    put(c, "factor", c->weight);
+    put(c, "bulge", shaped_usual_flatness * side_m);
+    put(c, "side", side_m);
+    return c->weight >= 1.05;
+}
+
+/** Longest waves in a surface's scans where they are too few; else NaN. */
+static double few_waves(const struct claims *c, size_t surface)
+{
+    return !model_rows[c->leading]->uses_map && accuracy_few_waves_sd(c->results, surface) > 0 &&
+                   !nothing_touches(c, surface)
+               ? summary_of(c, surface)->longest_waves
+               : NAN;
 }
 
 static bool short_scans(struct claims *c)
 {
-    double waves = INFINITY;
-    for (size_t k = 0; k < c->results->usable_count && !model_rows[c->leading]->uses_map; k++)
-        if (accuracy_few_waves_sd(c->results, usable(c, k)) > 0 && !nothing_touches(c, usable(c, k)))
-            waves = fmin(waves, summary_of(c, usable(c, k))->longest_waves);
-    if (!(waves < INFINITY))
-        return false;
+    const double waves = extent_of(c, few_waves, INFINITY).least;
     c->weight = model_factor(model_few_waves_sd(waves));
-    put_number(c, "waves", waves, waves, 2, "");
-    put_number(c, "factor", c->weight, c->weight, 2, "");
-    return c->weight >= 1.1;
+    put(c, "waves", waves);
+    put(c, "factor", c->weight);
+    return waves < INFINITY && c->weight >= 1.1;
 }
 
 /* ---- What stands beside the answer ---- */
 
 static bool direct(struct claims *c)
 {
-    const struct results *results = c->results;
-    const size_t baseline = results->baseline;
-    const enum quantity quantity =
-        quantity_rows[c->asked.quantity].from ? results_criterion(results) : c->asked.quantity;
-    const struct asked_solved solved = asked_direct(results, quantity, results_operating_load(results, baseline));
-    if (!(solved.value > 0) || !(solved.ratio > 0) || nothing_touches(c, baseline))
+    const enum quantity asked = c->asked.quantity,
+                        quantity = quantity_rows[asked].from ? results_criterion(c->results) : asked;
+    const struct asked_solved solved = asked_direct(c->results, quantity, results_operating_load(c->results, c->i));
+    if (!(solved.value > 0) || !(solved.ratio > 0) || nothing_touches(c, c->i))
         return false;
-    const bool own =
-        quantity == c->asked.quantity || (quantity == QUANTITY_ECR && c->asked.quantity == QUANTITY_JOINT_ECR);
+    const bool own = quantity == asked || (quantity == QUANTITY_ECR && asked == QUANTITY_JOINT_ECR);
     const struct quantity_unit unit = quantity_unit(quantity);
-    const double model = solved.value * solved.ratio,
-                 shown = own ? asked_shown(&c->asked, solved.value) : solved.value * unit.scale,
-                 modelled = own ? asked_shown(&c->asked, model) : model * unit.scale;
-    put_surface(c, baseline);
+    const double value[] = {solved.value, solved.value * solved.ratio};
+    static const char *const names[] = {"direct", "model"};
+    put_surface(c, c->i);
     put_text(c, "quantity", words_say(c->words, "rank.%s", quantity_rows[quantity].name));
-    put_number(c, "direct", solved.value, shown, 2, own ? c->asked.unit : unit.unit);
-    put_number(c, "model", model, modelled, 2, own ? c->asked.unit : unit.unit);
-    put_load(c, "load", baseline, solved.load);
+    for (int k = 0; k < 2; k++)
+        put_number(c, names[k], value[k], own ? asked_shown(&c->asked, value[k]) : value[k] * unit.scale, 2,
+                   own ? c->asked.unit : unit.unit);
+    put_load(c, "load", c->i, solved.load);
     return true;
 }
 
 static bool textbook(struct claims *c)
 {
-    const size_t book = asked_textbook(c->results), baseline = c->results->baseline;
+    const size_t book = asked_textbook(c->results);
     if (book == model_count || book == c->leading)
         return false;
-    const struct curve_summary *curve = surface_model(summary_of(c, baseline), book);
     put_text(c, "label", model_rows[book]->label);
-    put_surface(c, baseline);
+    put_surface(c, c->i);
     if (c->asked.target) {
         const size_t t = (size_t)(c->asked.target - c->results->scene->targets);
-        const struct answer *answer = &summary_of(c, baseline)->answers[t * model_count + book];
-        if (answer->kind != ANSWER_LOAD || answer->full || answer->invalid)
-            return false;
-        put_load(c, "value", baseline, answer->load);
-        return true;
+        const struct answer *load = &summary_of(c, c->i)->answers[t * model_count + book];
+        put_load(c, "value", c->i, load->load);
+        return load->kind == ANSWER_LOAD && !load->full && !load->invalid;
     }
-    const double value = comparison_middle(c->results, book, baseline).value[c->asked.quantity];
-    if (!isfinite(value) || !curve_summary_is_valid(curve, results_operating_load(c->results, baseline)))
-        return false;
+    const double value = comparison_middle(c->results, book, c->i).value[c->asked.quantity];
     put_number(c, "value", value, asked_shown(&c->asked, value), 3, c->asked.unit);
-    return true;
+    return isfinite(value) &&
+           curve_summary_is_valid(surface_model(summary_of(c, c->i), book), results_operating_load(c->results, c->i));
 }
 
 /** Is the roughest surface rougher than the smoothest one by more than chance: the mean square of w longest waves has
@@ -694,6 +658,12 @@ static bool differ_in_roughness(const struct results *results)
     return ln_rq[1] - ln_rq[0] > 2 * sqrt(variance);
 }
 
+/** A model's answer on usable surface k, as shown. */
+static double modelled(const struct claims *c, size_t model, size_t k)
+{
+    return asked_shown(&c->asked, comparison_middle(c->results, model, usable(c, k)).value[c->asked.quantity]);
+}
+
 /** Most over least of a model's answers in order of roughness; *rises: each is above the one before. 0: one has none.
  */
 static double spread_of(const struct claims *c, size_t m, bool *rises)
@@ -701,8 +671,7 @@ static double spread_of(const struct claims *c, size_t m, bool *rises)
     double least = INFINITY, most = 0, before = -INFINITY;
     *rises = true;
     for (size_t k = 0; k < c->results->usable_count; k++) {
-        const double value =
-            asked_shown(&c->asked, comparison_middle(c->results, m, usable(c, k)).value[c->asked.quantity]);
+        const double value = modelled(c, m, k);
         if (!(value > 0 && isfinite(value)))
             return 0;
         *rises = *rises && value > before * (1 + c->results->scene->tolerance);
@@ -714,74 +683,57 @@ static double spread_of(const struct claims *c, size_t m, bool *rises)
 }
 
 /** Where the models of the thesis run on three surfaces or more: the one by which the answer rises most, and those by
- * which it does not rise at every step. */
+ * which it does not rise at every step. All are of the leading model's material law: elastic answers of a surface that
+ * yields are marked in their table, and prove nothing. */
 static bool by_roughness(struct claims *c)
 {
-    bool rises;
-    size_t most = model_count;
+    const size_t count = c->results->usable_count;
+    size_t steepest = model_count;
+    double widest = 0;
     struct text others = {0};
-    if (c->results->usable_count < 3 || !differ_in_roughness(c->results))
-        return false;
-    for (size_t m = 0; m < model_count; m++) {
-        const bool told = (model_rows[m]->thesis_place > 0 || m == c->leading) &&
-                          model_rows[m]->plastic == model_rows[c->leading]->plastic;
-        if (model_rows[m]->thesis_place > 0 && !plan_runs_model(c->results->plan, m))
-            return text_free(&others), false;
-        if (!told || !(spread_of(c, m, &rises) > 0))
+    bool all = count >= 3 && differ_in_roughness(c->results);
+    for (size_t m = 0; all && m < model_count; m++) {
+        const struct model_row *row = model_rows[m];
+        bool rises;
+        all = row->thesis_place == 0 || plan_runs_model(c->results->plan, m);
+        if ((row->thesis_place == 0 && m != c->leading) || row->plastic != model_rows[c->leading]->plastic)
             continue;
-        bool unused;
-        if (rises && (most == model_count || spread_of(c, m, &unused) > spread_of(c, most, &unused)))
-            most = m;
-        if (!rises)
-            text_add(&others, "%s%s", others.length > 0 ? ", " : "", model_rows[m]->label);
+        const double spread = spread_of(c, m, &rises);
+        if (spread > 0 && !rises)
+            text_add(&others, "%s%s", others.length > 0 ? ", " : "", row->label);
+        if (rises && spread > widest) {
+            widest = spread;
+            steepest = m;
+        }
     }
-    const bool said = most < model_count && others.length > 0; /* else they agree */
-    if (said) {
-        const size_t last = c->results->usable_count - 1;
-        const double ends[] = {comparison_middle(c->results, most, usable(c, 0)).value[c->asked.quantity],
-                               comparison_middle(c->results, most, usable(c, last)).value[c->asked.quantity]};
-        put_text(c, "label", model_rows[most]->label);
+    const bool differ = all && steepest < model_count && others.length > 0;
+    if (differ) {
+        put_text(c, "label", model_rows[steepest]->label);
         put_text(c, "quantity", words_say(c->words, "%s", c->asked.name));
-        put_range(c, "values", asked_shown(&c->asked, ends[0]), asked_shown(&c->asked, ends[1]), 2, c->asked.unit);
+        put_range(c, "values", modelled(c, steepest, 0), modelled(c, steepest, count - 1), 2, c->asked.unit);
         put_text(c, "others", text_string(&others));
     }
     text_free(&others);
-    return said;
-}
-
-/** Least and most of what a function says of the usable surfaces; false: of none anything. */
-static bool range_over(const struct claims *c, double out[2], double (*of)(const struct claims *c, size_t surface))
-{
-    out[0] = INFINITY;
-    out[1] = -INFINITY;
-    for (size_t k = 0; k < c->results->usable_count; k++) {
-        const double value = of(c, usable(c, k));
-        if (!isfinite(value))
-            continue;
-        out[0] = fmin(out[0], value);
-        out[1] = fmax(out[1], value);
-    }
-    return out[0] <= out[1];
+    return differ;
 }
 
 static double gap_share(const struct claims *c, size_t surface)
 {
-    const double *value = comparison_middle(c->results, c->leading, surface).value;
-    return 100 * value[QUANTITY_GAP] / value[QUANTITY_JOINT];
+    return 100 * answer(c, surface, QUANTITY_GAP) / answer(c, surface, QUANTITY_JOINT);
 }
 
 static double film_share(const struct claims *c, size_t surface)
 {
-    const double *value = comparison_middle(c->results, c->leading, surface).value;
-    return 100 * c->results->scene->joint.film_ohm_m2 / value[QUANTITY_AREA] / value[QUANTITY_JOINT_ECR];
+    return 100 * c->results->scene->joint.film_ohm_m2 / answer(c, surface, QUANTITY_AREA) /
+           answer(c, surface, QUANTITY_JOINT_ECR);
 }
 
 static double plating_factor(const struct claims *c, size_t surface)
 {
-    return comparison_middle(c->results, c->leading, surface).value[QUANTITY_PLATING_FACTOR];
+    return answer(c, surface, QUANTITY_PLATING_FACTOR);
 }
 
-static double carrying(const struct claims *c, size_t surface)
+static double carrying_mm2(const struct claims *c, size_t surface)
 {
     const double share = summary_of(c, surface)->carrying;
     return share > 0 ? 1e6 * share * c->results->scene->nominal_area_m2 : NAN;
@@ -789,50 +741,29 @@ static double carrying(const struct claims *c, size_t surface)
 
 static double rise_K(const struct claims *c, size_t surface)
 {
-    return comparison_middle(c->results, c->leading, surface).value[QUANTITY_TEMPERATURE] -
-           c->results->scene->joint.temperature_K;
+    return answer(c, surface, QUANTITY_TEMPERATURE) - c->results->scene->joint.temperature_K;
 }
 
-/** What an effect that runs makes of the answer, over all surfaces. */
-static const struct claim_share {
-    const char *key;
-    enum effect effect;
-    double (*of)(const struct claims *c, size_t surface);
-    const char *unit;
-} shares[] = {
-    {"shares-gap", EFFECT_GAP, gap_share, "%"},
-    {"shares-film", EFFECT_FILM, film_share, "%"},
-    {"shares-plating", EFFECT_PLATING, plating_factor, ""},
-    {"shares-shape", EFFECT_SHAPE, carrying, "mm²"},
-    {"heating", EFFECT_HEATING, rise_K, "K"},
-};
-
+/** What an effect that runs makes of the answer, from the least to the most over all surfaces. */
 static bool share(struct claims *c)
 {
-    const struct claim_share *of = &shares[c->i];
-    const struct scene *scene = c->results->scene;
-    double range[2];
-    if (!plan_runs(c->results->plan, of->effect) || !range_over(c, range, of->of) || !(range[1] > 0))
-        return false;
-    c->key = of->key;
-    put_range(c, "share", range[0], range[1], 2, of->unit);
-    put_number(c, "nominal", scene->nominal_area_m2, 1e6 * scene->nominal_area_m2, 3, "mm²");
-    put_number(c, "current", scene->joint.current_A, scene->joint.current_A, 3, "A");
-    return true;
+    const struct extent extent = extent_of(c, c->row->share, INFINITY);
+    put_range(c, "share", extent.least, extent.most, 2, c->row->unit);
+    put(c, "nominal", c->results->scene->nominal_area_m2);
+    put(c, "current", c->results->scene->joint.current_A);
+    return runs(c, c->row->effect) && extent.most > 0;
 }
 
 /** The model that `accuracy` chose. */
 static bool chosen(struct claims *c)
 {
     const struct scene *scene = c->results->scene;
-    if (!(scene->chosen_sd > 0))
-        return false;
     const double factor = model_factor(scene->chosen_sd);
     c->key = factor - 1 <= scene->accuracy ? "chosen" : "chosen-nearest";
     put_text(c, "label", model_rows[c->leading]->label);
-    put_number(c, "accuracy", scene->accuracy, 100 * scene->accuracy, 2, "%");
-    put_number(c, "factor", factor, factor, 2, "");
-    return true;
+    put(c, "accuracy", scene->accuracy);
+    put(c, "factor", factor);
+    return scene->chosen_sd > 0;
 }
 
 /** Whose hardness counts, where there is a plating that may have its own. */
@@ -841,44 +772,39 @@ static bool hardness(struct claims *c)
     static const char *const keys[] = {[SURFACE_HARDNESS_BODIES] = "hardness-bodies",
                                        [SURFACE_HARDNESS_SCENE] = "hardness",
                                        [SURFACE_HARDNESS_PLATING] = "hardness-plating"};
-    const struct surface_summary *s = summary_of(c, c->results->baseline);
-    const struct joint *joint = &c->results->scene->joint;
-    if (!(joint->plating_thickness_m > 0) || !plan_runs(c->results->plan, EFFECT_PLASTICITY))
-        return false;
+    const struct surface_summary *s = summary_of(c, c->i);
+    const double thickness_m = c->results->scene->joint.plating_thickness_m;
     c->key = keys[s->hardness];
-    put_surface(c, c->results->baseline);
-    put_number(c, "hardness", s->pair.hardness_Pa, s->pair.hardness_Pa * 1e-6, 3, "MPa");
-    put_number(c, "thickness", joint->plating_thickness_m, joint->plating_thickness_m * 1e6, 2, "µm");
-    return true;
+    put_surface(c, c->i);
+    put(c, "hardness", s->pair.hardness_Pa);
+    put(c, "thickness", thickness_m);
+    return thickness_m > 0 && runs(c, EFFECT_PLASTICITY);
 }
 
 /** Files that hold the heights of one before, which are no evidence of their own. */
 static bool duplicates(struct claims *c)
 {
-    size_t copies = 0;
+    size_t copies = 0, first = 0;
     for (size_t i = c->results->surface_count; i-- > 0;) {
-        const struct surface_summary *s = summary_of(c, i);
-        if (s->copies == 0)
-            continue;
-        copies += s->copies;
-        json_decref(c->surface);
-        c->surface = json_shown(s->scene->name);
-        text_free(&c->told);
-        put_text(c, "file", s->copy_file);
-        put_text(c, "of", s->copy_of);
+        copies += summary_of(c, i)->copies;
+        first = summary_of(c, i)->copies > 0 ? i : first;
     }
-    if (copies > 1)
-        c->key = "duplicates-more";
-    put_count(c, "more", copies - (copies > 0));
-    return copies > 0;
+    if (copies == 0)
+        return false;
+    c->key = copies > 1 ? "duplicates-more" : "duplicates";
+    c->surface = json_shown(name_of(c, first));
+    put_text(c, "file", summary_of(c, first)->copy_file);
+    put_text(c, "of", summary_of(c, first)->copy_of);
+    put_count(c, "more", copies - 1);
+    return true;
 }
 
 /** Keys of the scene that a user's own part needs, where they are missing. */
 static bool needs(struct claims *c)
 {
-    const bool material = results_has_material(c->results);
-    c->key = material ? "needs" : "needs-material";
-    return !c->results->scene->path || !material;
+    const bool material = results_has_material(c->results), scene = c->results->scene->path;
+    c->key = material ? "needs" : scene ? "needs-material" : "needs-all";
+    return !material || !scene;
 }
 
 /* ---- The table ---- */
@@ -888,78 +814,39 @@ static const char *const levels[] = {[CLAIM_STOP] = "stop",
                                      [CLAIM_UNCERTAINTY] = "uncertainty",
                                      [CLAIM_CONTEXT] = "context"};
 
-static size_t once(const struct claims *c)
-{
-    (void)c;
-    return 1;
-}
-
-static size_t effects(const struct claims *c)
-{
-    (void)c;
-    return sizeof shares / sizeof *shares;
-}
-
-static size_t targets(const struct claims *c)
-{
-    return c->results->scene->target_count;
-}
-
-static size_t further_limits(const struct claims *c)
-{
-    const size_t count = c->results->scene->limit_count;
-    return count > ASKED_LIMIT_COLUMNS ? count - ASKED_LIMIT_COLUMNS : 0;
-}
-
-/** A claim: said where `when` says so, which fills its numbers, and may take another key where the case is another; so
- * many times, claims.i of them before. */
-static const struct claim_row {
-    const char *key;
-    enum claim_level level;
-    bool (*when)(struct claims *c);
-    size_t (*times)(const struct claims *c);
-} rows[] = {
-    {"refused", CLAIM_STOP, refused, once},
-    {"beyond-hardness", CLAIM_STOP, beyond_hardness, once},
-    {"few-spots", CLAIM_STOP, few_spots, once},
-    {"softens", CLAIM_STOP, softens, once},
-    {"melts", CLAIM_STOP, melts, once},
-    {"bond-line", CLAIM_STOP, bond_line, once},
-    {"bond-line-missing", CLAIM_STOP, bond_line_missing, once},
-    {"loads-short", CLAIM_STOP, loads_short, once},
-    {"measured", CLAIM_VERDICT, measured, once},
-    {"not-flat", CLAIM_VERDICT, not_flat, once},
-    {"rank", CLAIM_VERDICT, rank, once},
-    {"area-pressed", CLAIM_VERDICT, area_pressed, once},
-    {"target", CLAIM_VERDICT, further_target, targets},
-    {"limit", CLAIM_VERDICT, further_limit, further_limits},
-    {"scans-to-decide", CLAIM_VERDICT, scans_to_decide, once},
-    {"uncertainty", CLAIM_UNCERTAINTY, uncertainty, once},
-    {"not-flat-assumed", CLAIM_UNCERTAINTY, not_flat_assumed, once},
-    {"short-scans", CLAIM_UNCERTAINTY, short_scans, once},
-    {"direct", CLAIM_CONTEXT, direct, once},
-    {"textbook", CLAIM_CONTEXT, textbook, once},
-    {"by-roughness", CLAIM_CONTEXT, by_roughness, once},
-    {"shares", CLAIM_CONTEXT, share, effects},
-    {"chosen", CLAIM_CONTEXT, chosen, once},
-    {"hardness", CLAIM_CONTEXT, hardness, once},
-    {"duplicates", CLAIM_CONTEXT, duplicates, once},
-    {"needs", CLAIM_CONTEXT, needs, once},
+static const struct claim_row rows[] = {
+    {"refused", CLAIM_STOP, .when = refused},
+    {"beyond-hardness", CLAIM_STOP, beyond_hardness, .about = ABOUT_SURFACES},
+    {"few-spots", CLAIM_STOP, .when = few_spots},
+    {"softens", CLAIM_STOP, heated, .about = ABOUT_SURFACES},
+    {"melts", CLAIM_STOP, heated, .about = ABOUT_SURFACES, .melts = true},
+    {"bond-line", CLAIM_STOP, bond_line, .about = ABOUT_SURFACES},
+    {"bond-line-missing", CLAIM_STOP, .when = bond_line_missing},
+    {"loads-short", CLAIM_STOP, loads_short, .about = ABOUT_SURFACES},
+    {"measured", CLAIM_VERDICT, measured, .about = ABOUT_SURFACES},
+    {"not-flat", CLAIM_VERDICT, not_flat, .about = ABOUT_SURFACES},
+    {"rank", CLAIM_VERDICT, .when = rank},
+    {"area-pressed", CLAIM_VERDICT, .when = area_pressed},
+    {"target", CLAIM_VERDICT, further_target, .about = ABOUT_TARGETS},
+    {"limit", CLAIM_VERDICT, further_limit, .about = ABOUT_LIMITS},
+    {"scans-to-decide", CLAIM_VERDICT, .when = scans_to_decide},
+    {"uncertainty", CLAIM_UNCERTAINTY, .when = uncertainty},
+    {"not-flat-assumed", CLAIM_UNCERTAINTY, .when = not_flat_assumed},
+    {"short-scans", CLAIM_UNCERTAINTY, .when = short_scans},
+    {"direct", CLAIM_CONTEXT, .when = direct},
+    {"textbook", CLAIM_CONTEXT, .when = textbook},
+    {"by-roughness", CLAIM_CONTEXT, .when = by_roughness},
+    {"shares-gap", CLAIM_CONTEXT, share, .effect = EFFECT_GAP, .share = gap_share, .unit = "%"},
+    {"shares-film", CLAIM_CONTEXT, share, .effect = EFFECT_FILM, .share = film_share, .unit = "%"},
+    {"shares-plating", CLAIM_CONTEXT, share, .effect = EFFECT_PLATING, .share = plating_factor, .unit = ""},
+    {"shares-shape", CLAIM_CONTEXT, share, .effect = EFFECT_SHAPE, .share = carrying_mm2, .unit = "mm²"},
+    {"heating", CLAIM_CONTEXT, share, .effect = EFFECT_HEATING, .share = rise_K, .unit = "K"},
+    {"chosen", CLAIM_CONTEXT, .when = chosen},
+    {"hardness", CLAIM_CONTEXT, .when = hardness},
+    {"duplicates", CLAIM_CONTEXT, .when = duplicates},
+    {"needs", CLAIM_CONTEXT, .when = needs},
 };
-
-/** Puts a claim behind those of its level that weigh as much; one that weighs more than the whole interval before all.
- */
-static void insert(json_t *list, double *weights, json_t *claim, size_t level_first, double weight, double interval)
-{
-    const size_t count = json_array_size(list);
-    size_t at = count;
-    while (at > level_first && weight > weights[at - 1])
-        at--;
-    at = interval > 0 && weight > interval ? 0 : at;
-    memmove(weights + at + 1, weights + at, (count - at) * sizeof *weights);
-    weights[at] = weight;
-    json_array_insert_new(list, at, claim);
-}
+enum { ROWS = sizeof rows / sizeof *rows };
 
 static struct claims begin(const struct results *results, const struct comparison *comparison, struct words *words)
 {
@@ -970,29 +857,86 @@ static struct claims begin(const struct results *results, const struct compariso
                            .leading = plan_leading_model(results->plan)};
 }
 
+/** The next claim, of which nothing is told; NULL: none follows. */
+static void start(struct claims *c, const struct claim_row *row, size_t i)
+{
+    json_decref(c->numbers);
+    json_decref(c->surface);
+    text_free(&c->told);
+    text_free(&c->text);
+    text_free(&c->markdown);
+    c->row = row;
+    c->key = row ? row->key : "";
+    c->i = i;
+    c->weight = 1;
+    c->numbers = row ? json_object() : NULL;
+    c->surface = NULL;
+    if (row && row->about == ABOUT_SURFACES)
+        put_surface(c, i);
+}
+
+/** Adds the words of a name, filled with what was told, to both texts. */
+static bool add_words(struct claims *c, const char *name)
+{
+    struct text later = {0};
+    text_add(&later, "%s%s", name, text_string(&c->told));
+    const bool said = words_add(&c->text, c->words, text_string(&later), text_add_unmarked) &&
+                      words_add(&c->markdown, c->words, text_string(&later), text_add_markdown_shown);
+    text_free(&later);
+    return said;
+}
+
+static void add_both(struct claims *c, const char *string)
+{
+    text_add(&c->text, "%s", string);
+    text_add(&c->markdown, "%s", string);
+}
+
+/** Puts the claim behind those of its level that weigh as much; one that weighs more than the whole interval before
+ * all. */
+static void insert(json_t *list, double *weights, const struct claims *c, size_t level_first, double interval)
+{
+    const size_t count = json_array_size(list);
+    size_t at = count;
+    while (at > level_first && c->weight > weights[at - 1])
+        at--;
+    at = interval > 0 && c->weight > interval ? 0 : at;
+    memmove(weights + at + 1, weights + at, (count - at) * sizeof *weights);
+    weights[at] = c->weight;
+    json_array_insert_new(list, at,
+                          json_pack("{s:s, s:s, s:O?, s:O, s:s, s:s}", "key", c->key, "level", levels[c->row->level],
+                                    "surface", c->surface, "numbers", c->numbers, "text", text_string(&c->text),
+                                    "markdown", text_string(&c->markdown)));
+}
+
 enum status_code claims_make(json_t **out, const struct results *results, const struct comparison *comparison,
                              struct words *words, struct status *status)
 {
     struct claims c = begin(results, comparison, words);
-    const size_t most =
-        sizeof rows / sizeof *rows + effects(&c) + results->scene->target_count + results->scene->limit_count;
-    double *weights = calloc(most + 1, sizeof *weights), interval = 0;
+    const size_t ends[] = {[ABOUT_BASELINE] = results->baseline + 1,
+                           [ABOUT_SURFACES] = results->surface_count,
+                           [ABOUT_TARGETS] = results->scene->target_count,
+                           [ABOUT_LIMITS] = results->scene->limit_count};
+    double *weights = calloc(ROWS + ends[ABOUT_TARGETS] + ends[ABOUT_LIMITS], sizeof *weights), interval = 0;
     json_t *list = json_array();
-    for (size_t r = 0, first = 0; r < sizeof rows / sizeof *rows && weights; r++) {
-        const size_t count = rows[r].times(&c);
-        first = r > 0 && rows[r].level != rows[r - 1].level ? json_array_size(list) : first;
-        for (size_t i = 0; i < count; i++) {
-            json_t *claim = NULL;
-            reset(&c, rows[r].key);
-            c.i = i;
-            if (!rows[r].when(&c) || !say(&c, &claim, levels[rows[r].level]))
+    size_t first = 0;
+    for (const struct claim_row *row = rows; row < rows + ROWS && weights && list; row++) {
+        const bool surfaces = row->about == ABOUT_SURFACES;
+        bool said = false;
+        first = row > rows && row->level != row[-1].level ? json_array_size(list) : first;
+        for (size_t i = row->about == ABOUT_BASELINE ? results->baseline : 0; i < ends[row->about]; i++) {
+            if (surfaces && (said || !results->surfaces[i].summary.usable))
                 continue;
-            insert(list, weights, claim, first, c.weight, rows[r].when == not_flat_assumed ? interval : 0);
-            interval = rows[r].when == uncertainty ? c.weight : interval;
+            start(&c, row, i);
+            char name[80];
+            said = row->when(&c) && snprintf(name, sizeof name, "claim.%s", c.key) > 0 && add_words(&c, name);
+            text_strip_marks(&c.text);
+            if (said)
+                insert(list, weights, &c, first, row->when == not_flat_assumed ? interval : 0);
+            interval = said && row->when == uncertainty ? c.weight : interval;
         }
     }
-    reset(&c, "");
-    json_decref(c.numbers);
+    start(&c, NULL, 0);
     if (!weights || !list)
         (void)status_memory(status);
     free(weights);
@@ -1001,8 +945,6 @@ enum status_code claims_make(json_t **out, const struct results *results, const 
 }
 
 /* ---- The headline ---- */
-
-typedef void escape_text(struct text *out, const char *string);
 
 static struct known known_of(const struct claims *c, size_t surface)
 {
@@ -1023,71 +965,45 @@ static double cost_of(const struct claims *c, size_t surface)
     return c->asked.more_is_better ? -shown : shown;
 }
 
-/** One surface's part: "*as plated* needs 0.97 N (measured)". */
-static bool add_part(struct text *out, struct claims *c, size_t surface, escape_text *escape)
+static void tell(struct claims *c, const char *name, double shown, int digits)
+{
+    text_add(&c->told, "\n%s ", name);
+    number_format(&c->told, shown, digits);
+}
+
+/** One surface's part, behind `before`: "*as plated* needs 0.97 N (measured)". */
+static bool add_part(struct claims *c, const char *before, size_t surface)
 {
     static const char *const kinds[] = {
         [KNOWN_NOTHING] = "never", [KNOWN_VALUE] = "is", [KNOWN_AT_MOST] = "most", [KNOWN_MORE_THAN] = "more"};
-    const struct scene_asked *target = c->asked.target;
+    const bool target = c->asked.target;
     const struct asked_load load = asked_load_of(c->results, surface);
     const struct known known = known_of(c, surface);
     double ends[2] = {known.low * load.scale, known.high * load.scale};
-    struct text later = {0};
     if (!target)
         asked_ends(ends, &c->asked, (const double[]){known.low, known.high});
-    const bool has = known.kind == KNOWN_VALUE && isfinite(ends[0]) && isfinite(ends[1]);
-    text_add(&later, "headline.%s-%s%s\nname ", target ? "load" : "value", kinds[known.kind],
-             known.kind != KNOWN_VALUE ? ""
-             : known.measured          ? "-measured"
-             : has                     ? "-interval"
-                                       : "");
-    text_add_shown(&later, name_of(c, surface));
-    text_add(&later, "\nvalue ");
-    number_format(&later, target ? known.value * load.scale : asked_shown(&c->asked, known.value),
-                  has ? digits_of(ends[0], ends[1]) : 3);
-    text_add(&later, "\nunit ");
-    text_add_shown(&later, target ? load.unit[0] ? load.unit : "E′Aₙ" : c->asked.unit);
-    text_add(&later, "\nlow ");
-    number_format(&later, ends[0], 2);
-    text_add(&later, "\nhigh ");
-    number_format(&later, ends[1], 2);
-    const bool said = words_add(out, c->words, text_string(&later), escape);
-    text_free(&later);
-    return said;
-}
-
-/** The sentence with its marks, names escaped so. */
-static bool add_headline(struct text *out, struct claims *c, const size_t surfaces[2], escape_text *escape)
-{
-    struct text parts = {0}, later = {0};
-    char target[UNIT_LENGTH + 20] = "";
-    bool said = add_part(&parts, c, surfaces[0], escape);
-    if (surfaces[1] != surfaces[0]) {
-        text_add(&parts, " and ");
-        said = said && add_part(&parts, c, surfaces[1], escape);
-    }
-    if (c->asked.target)
-        asked_text(target, sizeof target, c->asked.target->text);
-    const size_t baseline = c->results->baseline;
-    const struct asked_load load = asked_load_of(c->results, baseline);
-    text_add(&later, "headline.%s\nquantity %s\ntarget ", c->asked.target ? "load" : "value",
-             words_say(c->words, "%s", c->asked.name));
-    text_add_shown(&later, target);
-    text_add(&later, "\nload ");
-    number_format(&later, results_operating_load(c->results, baseline) * load.scale, 3);
-    text_add(&later, "\u00a0");
-    text_add_shown(&later, load.unit[0] ? load.unit : "E′Aₙ");
-    text_add(&later, "\nparts %s", text_string(&parts));
-    said = said && words_add(out, c->words, text_string(&later), NULL);
-    text_free(&parts);
-    text_free(&later);
-    return said;
+    const bool is = known.kind == KNOWN_VALUE, has = is && isfinite(ends[0]) && isfinite(ends[1]);
+    char name[80];
+    add_both(c, before);
+    text_free(&c->told);
+    put_surface(c, surface);
+    put_text(c, "unit", !target ? c->asked.unit : load.unit[0] ? load.unit : "E′Aₙ");
+    tell(c, "value", target ? known.value * load.scale : asked_shown(&c->asked, known.value),
+         has ? digits_of(ends[0], ends[1]) : 3);
+    tell(c, "low", ends[0], 2);
+    tell(c, "high", ends[1], 2);
+    snprintf(name, sizeof name, "headline.%s-%s%s", target ? "load" : "value", kinds[known.kind],
+             is && known.measured ? "-measured"
+             : has                ? "-interval"
+                                  : "");
+    return add_words(c, name);
 }
 
 enum status_code claims_headline(json_t **out, const struct results *results, const struct comparison *comparison,
                                  struct words *words, struct status *status)
 {
     struct claims c = begin(results, comparison, words);
+    const char *const name = c.asked.target ? "headline.load" : "headline.value";
     size_t ends[2] = {results->by_roughness[0], results->by_roughness[0]};
     for (size_t k = 1; k < results->usable_count; k++) {
         const size_t i = usable(&c, k);
@@ -1096,13 +1012,17 @@ enum status_code claims_headline(json_t **out, const struct results *results, co
     }
     if (ends[0] == ends[1] && results->usable_count > 1) /* all alike: the first and the last */
         ends[1] = usable(&c, results->usable_count - 1);
+    c.numbers = json_object();
+    if (c.asked.target)
+        put_asked(&c, "target", c.asked.target);
+    put_text(&c, "quantity", words_say(words, "%s", c.asked.name));
+    put_load(&c, "load", results->baseline, results_operating_load(results, results->baseline));
     *out = NULL;
-    if (add_headline(&c.text, &c, ends, text_add_unmarked) &&
-        add_headline(&c.markdown, &c, ends, text_add_markdown_shown)) {
+    if (add_words(&c, name) && add_part(&c, " ", ends[0]) && (ends[1] == ends[0] || add_part(&c, " and ", ends[1]))) {
+        add_both(&c, ".**");
         text_strip_marks(&c.text);
         *out = json_pack("{s:s, s:s}", "text", text_string(&c.text), "markdown", text_string(&c.markdown));
     }
-    reset(&c, "");
-    json_decref(c.numbers);
+    start(&c, NULL, 0);
     return *out ? status->code : status_memory(status);
 }

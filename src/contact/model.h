@@ -89,7 +89,7 @@ struct model_row {
     const char *colour;    /* of its line, "#rrggbb", for a light and a dark page */
     int marker;            /* gnuplot's point type: open (even) elastic, filled (odd) plastic */
     const char *does;      /* in a clause that "which" begins */
-    const char *equations; /* of the thesis, as in docs/equations.md */
+    const char *equations; /* the defining ones, and their numbers or section in docs/equations.md */
     const char *source;
     const char *assumes;
     const char *valid;

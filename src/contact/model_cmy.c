@@ -77,7 +77,7 @@ const struct model_row model_cmy = {
     .colour = "#8C6D31",
     .marker = 15,
     .does = "cuts the heights off at a plane and lets every spot bear the hardness",
-    .equations = "truncation",
+    .equations = "p/H = A/Aₙ = ½ erfc(l/√2), ECR·Aₙ = 2√(2π) (ρσ/m) exp(l²/2) (1−√(A/Aₙ))^(3/2), gap = σl (truncation)",
     .source = "Cooper, Mikic and Yovanovich, Int. J. Heat Mass Transf. 12 (1969) 279",
     .assumes = "isotropic Gaussian surface, of which all that is truncated touches; every spot bears the hardness (the "
                "scene's, by Vickers's c1 and c2 that of its own size, else 2.84 S_y); round spots",

@@ -36,7 +36,8 @@ const struct model_row model_direct = {
     .colour = "#E07B39",
     .marker = 14,
     .does = "solves the contact of the map itself, without yield",
-    .equations = "direct transfer",
+    .equations = "at equal area p = p_G p₁/p_G1, and so ℓ and the gap; 1 the squares solved, G1 Gaussian heights of "
+                 "their spectrum (direct transfer)",
     .source = "Polonsky and Keer, Wear 231 (1999) 206; resistance: the same kernel on the points in contact; between "
               "loads by corrected-persson of the same spectrum at equal area",
     .assumes = "the map is the surface, and goes on as its mirror image; small slopes; no yield",
@@ -61,7 +62,8 @@ const struct model_row model_direct_plastic = {
     .colour = "#A94A0E",
     .marker = 15,
     .does = "solves the contact of the map itself, with no pressure above the hardness",
-    .equations = "direct transfer",
+    .equations = "area, gap and resistance as under hardness, times their ratio to these in the squares solved with no "
+                 "pressure above H (direct transfer)",
     .source = "as direct; no pressure above the hardness: Almqvist, Sahlin, Larsson and Glavatskih, Tribol. Int. 40 "
               "(2007) 574",
     .assumes = "as direct, with yield: no pressure above the hardness; no hardening",

@@ -62,7 +62,8 @@ const struct model_row model_multiscale_elastic = {
     .colour = "#3F9BE0",
     .marker = 6,
     .does = "stacks all waves of the spectrum as sinusoids, the short on the long, without yield",
-    .equations = "4.1-4.11, 4.40-4.42",
+    .equations = "A/Aₙ = Π aᵢ, aᵢ of one sinusoid under the pressure P/Aᵢ₋₁; gap = Σ ΔᵢGᵢ; ECR = Σ Ψᵢρ/(2rᵢnᵢ), nᵢ = "
+                 "2fᵢ²Aᵢ₋₁ (4.1-4.11, 4.40-4.42)",
     .source = "Jackson and Streator, Wear 261 (2006) 1337; Johnson, Greenwood and Higginson, Int. "
               "J. Mech. Sci. 27 (1985) 383; "
               "Wilson, Auburn University (2008)",
@@ -89,7 +90,7 @@ const struct model_row model_multiscale_plastic = {
     .colour = "#1560B4",
     .marker = 7,
     .does = "stacks all waves of the spectrum as sinusoids, the short on the long, and lets them yield",
-    .equations = "4.12-4.18, 4.40-4.42",
+    .equations = "as multiscale elastic, where waves of Δ above √2 S_y exp(2ν/3)/(3πE′f) yield (4.12-4.18, 4.40-4.42)",
     .source =
         "Krithivasan and Jackson, Tribol. Lett. 27 (2007) 31; Jackson, Krithivasan and Wilson, Proc. IMechE J 222 "
         "(2008) 1; Wilson, Auburn University (2008)",

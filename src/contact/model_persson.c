@@ -113,7 +113,8 @@ const struct model_row model_corrected_persson = {
     .colour = "#B08BDD",
     .marker = 12,
     .does = "takes the spectrum with Gaussian heights, by Persson's theory corrected, without yield",
-    .equations = "corrected Persson",
+    .equations =
+        "p = s(A) p₀(A), p₀ = erf⁻¹(A/Aₙ) √(m₂(g + (1−g)A/Aₙ)); ECR·Aₙ = (ρ₁+ρ₂)ℓ, gap = 2∫ℓ dp (corrected Persson)",
     .source = "Persson, J. Chem. Phys. 115 (2001) 3840, and Phys. Rev. Lett. 99 (2007) 125502, corrected at equal area "
               "by direct solutions; resistance and separation: Barber, Proc. R. Soc. A 459 (2003) 53",
     .assumes = "isotropic surface with the scans' spectrum and Gaussian heights; no yield",
@@ -137,7 +138,8 @@ const struct model_row model_corrected_persson_plastic = {
     .marker = 13,
     .does = "takes the spectrum with Gaussian heights, by Persson's theory corrected, and lets no spot bear more than "
             "the hardness",
-    .equations = "hardness",
+    .equations = "A⁴ = Aₑ⁴ + (P/H)⁴, gap⁻³ = gapₑ⁻³ + w gap_b⁻³, ℓ⁻³ = ℓₑ⁻³ + w (ℓ_b/0.8)⁻³; e elastic, b the bearing "
+                 "curve of Gaussian heights (hardness)",
     .source = "as corrected-persson; under load as elastic contact and bearing curve (Abbott and Firestone 1933) in "
               "parallel, exponents from direct solutions with a hardness",
     .assumes = "as corrected-persson, with yield: no pressure above the hardness; no hardening",
@@ -159,7 +161,8 @@ const struct model_row model_strip = {
     .colour = "#35A27B",
     .marker = 8,
     .does = "solves the scans as strips and corrects Persson's theory by them, without yield",
-    .equations = "strip transfer",
+    .equations = "at equal area p = p_G p₁/⟨p₁⟩, and so ℓ and the gap; G Gaussian heights, 1 the scan as a strip, ⟨⟩ "
+                 "Gaussian strips (strip transfer)",
     .source = "the scans solved as strips (Polonsky and Keer, Wear 231 (1999) 206) over Gaussian strips of the same "
               "spectrum, times corrected-persson",
     .assumes = "isotropic surface of any heights, known from its scans; no yield",
@@ -186,7 +189,8 @@ const struct model_row model_strip_plastic = {
     .marker = 9,
     .does =
         "solves the scans as strips, corrects Persson's theory by them, and lets no spot bear more than the hardness",
-    .equations = "hardness",
+    .equations = "A⁴ = Aₑ⁴ + (P/H)⁴, gap⁻³ = gapₑ⁻³ + w gap_b⁻³, ℓ⁻³ = ℓₑ⁻³ + w (ℓ_b/0.8)⁻³; e elastic, b the bearing "
+                 "curve of the scans (hardness)",
     .source = "as strip; under load as elastic contact and the scans' bearing curve (Abbott and Firestone 1933) in "
               "parallel, exponents from direct solutions with a hardness",
     .assumes = "as strip, with yield: no pressure above the hardness; no hardening",

@@ -76,7 +76,7 @@ const struct model_row model_gw = {
     .colour = "#E58A1F",
     .marker = 4,
     .does = "presses asperities of one radius and Gaussian heights, without yield",
-    .equations = "4.19-4.30, 4.43, 4.54",
+    .equations = "A/Aₙ = πηRσₛ F₁(d/σₛ), P/(AₙE′) = (4/3) ηR^(1/2)σₛ^(3/2) F₁.₅(d/σₛ) (4.19-4.30, 4.43, 4.54)",
     .source = "Greenwood and Williamson, Proc. R. Soc. A 295 (1966) 300; McCool, Wear 107 (1986) 37",
     .assumes = "asperities of one radius, Gaussian heights, no interaction, no yield",
     .valid = "A/A_n up to 0.1: asperities must not touch each other",
@@ -102,7 +102,8 @@ const struct model_row model_jg = {
     .colour = "#B8400A",
     .marker = 5,
     .does = "presses asperities of one radius and Gaussian heights, and lets them yield",
-    .equations = "4.31-4.38, 4.45-4.46, 4.54",
+    .equations =
+        "as GW; asperities pressed by ω over 1.9 ω_c have the area πRω(ω/1.9ω_c)^B (4.31-4.38, 4.45-4.46, 4.54)",
     .source = "Jackson and Green, J. Tribol. 127 (2005) 343; Jackson and Green, Tribol. Int. 39 (2006) 906",
     .assumes = "as GW, with Jackson and Green's elastic-plastic sphere",
     .valid = "A/A_n up to 0.1; fitted for contact radius / asperity radius up to 0.41",

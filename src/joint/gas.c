@@ -5,7 +5,6 @@
 #include "base/integral.h"
 
 #include <math.h>
-#include <strings.h>
 
 const double gas_table_temperature_K = 300, gas_table_pressure_Pa = 101325;
 
@@ -33,14 +32,6 @@ const struct gas gas_liquids[] = {
     {"glycerin", 0.289, 0.1, 0, 291.3, 413, .source = INCROPERA " and VDI Heat Atlas, 1.5 % from either"},
 };
 const size_t gas_liquid_count = sizeof gas_liquids / sizeof gas_liquids[0];
-
-const struct gas *gas_find(const char *name)
-{
-    for (size_t i = 0; i < gas_count; i++)
-        if (strcasecmp(gas_table[i].name, name) == 0)
-            return &gas_table[i];
-    return NULL;
-}
 
 double gas_conductivity(const struct gas *gas, double temperature_K)
 {

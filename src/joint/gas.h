@@ -24,9 +24,6 @@ extern const struct gas gas_table[], gas_liquids[];
 extern const size_t gas_count, gas_liquid_count;
 extern const double gas_table_temperature_K, gas_table_pressure_Pa;
 
-/** The gas of that name (case-insensitive), NULL when there is none. */
-const struct gas *gas_find(const char *name);
-
 /** k [W/m/K] at a temperature within its limits. */
 double gas_conductivity(const struct gas *gas, double temperature_K);
 /** Pr = mu c_p/k. */

@@ -33,7 +33,7 @@ static enum status_code curve_make(struct shape_curve *out, const double *pressu
                                pressure_Pa[i] * 1e-6);
     }
     if (out->count < 3)
-        return status_fail(status, STATUS_MODEL, "its curve over pressure has %zu points, of the 3 it takes",
+        return status_fail(status, STATUS_MODEL, "its curve over pressure has %zu points; at least 3 are needed",
                            out->count);
     out->between = gsl_interp_alloc(gsl_interp_steffen, out->count);
     out->nearest = gsl_interp_accel_alloc();

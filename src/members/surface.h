@@ -48,7 +48,7 @@ struct surface_summary {
     char units[40];                 /* "x mm, z um" as read */
     size_t scans;                   /* averaged: files, or rows of a map */
     struct repeats repeats;         /* what they say apart */
-    size_t single_points;           /* of a surface with one scan, which records can be simulated of; else 0 */
+    size_t single_points;           /* of the one scan, where records can be simulated of it; else 0 */
     uint64_t simulated_evaluations; /* of the models, on those */
     double strip_cost;              /* of its rows, joined and of each scan alone; 0: no model uses strips */
     uint64_t strip_transforms;      /* that solving its strips took */

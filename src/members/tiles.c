@@ -247,9 +247,9 @@ static double scatter(const double *value, size_t count)
 }
 
 /** The errors of one kind: root of the sum of squares of what every second point changes, what a wider low-pass
- * changes, and the scatter over the squares, or over the quarters of the first where they are fewer than four. That is
- * not halved, as a mean's would be: where waves are as long as the map, maps differ as much as their quarters do.
- */
+ * changes, and the scatter over the squares, or over the quarters of the first where they are fewer than four. The
+ * scatter of the four quarters is not divided by two: waves as long as the map make whole maps differ as much as their
+ * quarters. */
 static enum status_code find_errors(struct transfer_errors *out, const struct direct_map *map,
                                     struct transfer_point *const *square, size_t count, const struct ladder *whole,
                                     struct status *status)

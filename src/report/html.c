@@ -21,7 +21,7 @@ struct page {
     unsigned parts;       /* those of the first level: below the second, sections are folded */
     bool in_folded;       /* inside the <details> of a section */
     bool in_entry;        /* inside a heading that stands in the contents */
-    size_t entry;         /* where its words begin there */
+    size_t named;         /* where the words of the heading, or of a bold cell, begin in the body; 0: none */
     bool paragraph_waits; /* its words are still to come */
     bool cell_waits;      /* a cell of a table, the same */
     bool in_verdict;      /* inside the <span> of a cell that judges */
@@ -73,20 +73,27 @@ static void start_heading(struct page *page, unsigned level)
              page->headings);
     if (page->in_entry)
         text_add(&page->contents, "<li><a href=\"#section-%u\">", page->headings);
-    page->entry = page->contents.length;
+    page->named = page->body.length;
 }
 
-/* The heading's words as a Markdown link names them: "#all-surfaces". */
+void html_anchor(struct text *out, const char *heading)
+{
+    bool tag = false;
+    for (const char *at = heading; *at; at++) {
+        tag = *at == '<' || (tag && at[-1] != '>');
+        if (!tag && (isalnum((unsigned char)*at) || *at == ' ' || *at == '-'))
+            text_add(out, "%c", *at == ' ' ? '-' : tolower((unsigned char)*at));
+    }
+}
+
+/* Names what links lead to by its words. */
 static void add_anchor(struct page *page)
 {
-    const char *at = text_string(&page->contents) + page->entry;
-    text_add(&page->body, "<a id=\"");
-    for (bool tag = false; *at; at++) {
-        tag = *at == '<' || (tag && at[-1] != '>');
-        if (!tag && (isalnum((unsigned char)*at) || *at == ' '))
-            text_add(&page->body, "%c", *at == ' ' ? '-' : tolower((unsigned char)*at));
-    }
-    text_add(&page->body, "\"></a>");
+    struct text anchor = {0};
+    html_anchor(&anchor, text_string(&page->body) + page->named);
+    text_add(&page->body, "<a id=\"%s\"></a>", text_string(&anchor));
+    page->named = 0;
+    text_free(&anchor);
 }
 
 static void end_heading(struct page *page, unsigned level)
@@ -97,6 +104,7 @@ static void end_heading(struct page *page, unsigned level)
     if (page->in_entry)
         text_add(&page->contents, "</a></li>\n");
     page->in_entry = false;
+    page->named = 0;
 }
 
 /* In base 64 (RFC 4648). */
@@ -176,9 +184,12 @@ static void add_tag(struct page *page, const char *tag, size_t size)
     bool closes = tag[1] == '/', waits = page->paragraph_waits;
     const char *name = tag + 1 + closes;
     struct text target = {0}, label = {0}, *out = &page->body;
+    const bool names = page->cell_waits && starts(tag, "<strong>"); /* a cell in bold, as a heading */
     if (!starts(name, "p>") && !starts(tag, "<img "))
         begin_words(page, tag);
     page->cell_waits = starts(tag, "<td");
+    if (starts(tag, "</td>") && page->named > 0)
+        add_anchor(page);
     if (starts(name, "p>")) {
         page->paragraph_waits = !closes;
         text_add(out, "%s", closes && !waits ? "</p>" : "");
@@ -206,6 +217,7 @@ static void add_tag(struct page *page, const char *tag, size_t size)
     } else {
         text_add_bytes(out, tag, size);
     }
+    page->named = names ? out->length : page->named;
     text_free(&target);
     text_free(&label);
 }

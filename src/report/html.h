@@ -14,4 +14,7 @@
 MUST_CHECK enum status_code html_render(struct text *out, const char *markdown, const char *title,
                                         const char *directory, const char *templates, struct status *status);
 
+/** Adds the name by which a Markdown link leads to a heading of these words, tags apart: "all-surfaces". */
+void html_anchor(struct text *out, const char *heading);
+
 #endif

@@ -5,6 +5,7 @@
 #include "answers/direct_study.h"
 #include "base/constants.h"
 #include "output/json.h"
+#include "report/html.h"
 #include <math.h>
 
 static bool wants(const struct view_source *source, enum quantity quantity)
@@ -36,7 +37,11 @@ static void put_model(json_t *out, const struct view_source *source, size_t m)
     const struct curve_summary *curve = surface_model(view_summary(source, surface), m);
     const struct material_pair *pair = results_pair(results, surface);
     double scale = asked_load_of(results, surface).scale, sigma_m = view_summary(source, surface)->asperities.sigma_m;
+    struct text anchor = {0};
+    html_anchor(&anchor, model_rows[m]->label);
     view_text(row, "label", model_rows[m]->label);
+    view_text(row, "anchor", text_string(&anchor));
+    text_free(&anchor);
     for (int q = 0; q < QUANTITY_COUNT; q++)
         if (in_table(source, (enum quantity)q))
             view_number(view_item(view_list(row, "cells")), "text",

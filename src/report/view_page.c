@@ -91,6 +91,12 @@ static void put_table(json_t *out, const struct view_source *source)
         view_text(head, "text", text);
     }
     view_flag(out, "has_letters", lettered);
+    if (lettered)
+        view_flag(out,
+                  results->usable_count > 2                                      ? "many_letters"
+                  : comparison_told_apart(&source->comparison->ranking.pairs[0]) ? "two_differ"
+                                                                                 : "two_alike",
+                  true);
     if (results->usable_count > VIEW_ROWS)
         view_count(out, "rows_left_out", results->usable_count - VIEW_ROWS);
 }

@@ -240,7 +240,7 @@ void view_inputs(json_t *out, const struct view_source *source)
             json_t *row = view_item(sources);
             view_text(row, "label", model_rows[m]->label);
             view_text(row, "source", model_rows[m]->source);
-            if (model_rows[m]->equations)
-                view_text(row, "equations", model_rows[m]->equations);
+            view_text(row, "does", model_rows[m]->does);
+            view_text(row, "equations", model_rows[m]->equations);
         }
 }

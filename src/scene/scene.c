@@ -141,9 +141,10 @@ static void give_mean_free_path(struct material *material, const struct scene *s
     if (material->electrons_per_m3 > 0 && material->resistivity_ohm_m > 0)
         material->mean_free_path_m = electron_mean_free_path(material->electrons_per_m3, material->resistivity_ohm_m);
     else
-        FAIL_KEY(source, "mean_free_path",
-                 "'mean_free_path' is 'electron', which is not known of '%s'; give the material's own, such as 40 nm",
-                 scene_words_show(material->name).text);
+        FAIL_KEY(
+            source, "mean_free_path",
+            "'mean_free_path' is 'electron', but that of '%s' is not known; give the material's own, such as 40 nm",
+            scene_words_show(material->name).text);
 }
 
 /* Completes bodies with the scene's, and checks them. `owner`: the surface's name, NULL: the scene's own. */
@@ -257,10 +258,11 @@ static void check_loads(struct scene *scene, struct scene_source *source)
     }
     check_load_kind(scene, source, key, key, one->kind);
     if ((one->kind == UNIT_NUMBER) != (load->kind == UNIT_NUMBER) && !has_one_modulus(scene))
-        FAIL_KEY(source, key,
-                 "'%s' is %s and the loads are %s, which differ from material to material; give both alike", key,
-                 unit_quantity_name(one->kind),
-                 load->kind == UNIT_NUMBER ? "P/(A_n E')" : unit_quantity_name(load->kind));
+        FAIL_KEY(
+            source, key,
+            "'%s' is %s and the loads are %s, which differ from material to material; give both in one kind of unit",
+            key, unit_quantity_name(one->kind),
+            load->kind == UNIT_NUMBER ? "P/(A_n E')" : unit_quantity_name(load->kind));
     struct material_pair pair = scene_pair(scene_bodies_of(scene, 0));
     double value = scene_load_as(one, scene, &pair);
     if (!load->given && value >= least_by_itself && value <= 1) {

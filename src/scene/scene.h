@@ -245,6 +245,8 @@ char *scene_file_path(const struct scene *scene, const char *file);
 
 /** The pair of bodies of a surface, or of the scene; material_pair_unknown() without a material. */
 struct material_pair scene_pair(const struct scene_bodies *bodies);
+/** The body that yields first, whose metal softens first. */
+const struct material *scene_softer(const struct scene_bodies *bodies);
 
 /** The bodies of surface `i`; the scene's where it has no such. */
 const struct scene_bodies *scene_bodies_of(const struct scene *scene, size_t i);

@@ -58,6 +58,13 @@ double scene_load_divisor(const struct scene *scene, enum unit_quantity kind, co
     return kind == UNIT_NUMBER ? 1 : kind == UNIT_PRESSURE ? modulus_Pa : modulus_Pa * scene->nominal_area_m2;
 }
 
+const struct material *scene_softer(const struct scene_bodies *bodies)
+{
+    const bool other = bodies->counterface_kind == MATERIAL_COUNTERFACE_ELASTIC &&
+                       bodies->counterface.yield_strength_Pa < bodies->material.yield_strength_Pa;
+    return other ? &bodies->counterface : &bodies->material;
+}
+
 double scene_load_as(const struct scene_one_load *one, const struct scene *scene, const struct material_pair *pair)
 {
     if (one->load == 0 || one->kind == scene->load.kind)

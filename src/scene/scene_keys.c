@@ -201,7 +201,8 @@ static bool complete_load(struct scene_source *source, const size_t *lines, size
 {
     struct scene_load *load = into;
     if (lines[LOAD_UNIT] && load->kind != UNIT_NUMBER)
-        return scene_source_fail(source, lines[LOAD_UNIT], "'unit' stands beside loads that have theirs; remove it");
+        return scene_source_fail(source, lines[LOAD_UNIT],
+                                 "'unit' is given beside loads that have their own; remove it");
     if (lines[LOAD_UNIT])
         apply_load_unit(load);
     if (load->kind != UNIT_NUMBER && !load->values && !(lines[LOAD_FROM] && lines[LOAD_TO]))

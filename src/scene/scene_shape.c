@@ -313,7 +313,7 @@ static bool hold_load(struct scene *scene, struct scene_source *source)
     for (size_t i = 1; i < count; i++)
         if (fields[i].nx != fields[0].nx || fields[i].ny != fields[0].ny || !(fields[i].mean > fields[i - 1].mean) ||
             fields[0].share)
-            return SHAPE_FAIL(source, "the files of 'pressure' are grids alike, each of another load");
+            return SHAPE_FAIL(source, "the files of 'pressure' must be grids of the same places, each at another load");
     if (count > 1 || scene->shape.scale || pair.unknown)
         return true;
     if (scene->operating.load == 0) {
@@ -342,7 +342,7 @@ static bool check_bolts(struct scene_source *source, const struct shape_bolts *b
         for (size_t k = 0; k < i; k++)
             if (hypot(own[0] - bolts->middle_m[k][0], own[1] - bolts->middle_m[k][1]) < 2 * bolts->hole_m)
                 return SHAPE_FAIL(source,
-                                  "bolts %zu and %zu are at one place, their holes in one another; correct either, "
+                                  "the holes of bolts %zu and %zu overlap; correct either, "
                                   "coordinates count from a corner",
                                   k + 1, i + 1);
     }

@@ -2,7 +2,6 @@
 #include "spectrum/parameters.h"
 
 #include <math.h>
-#include <string.h>
 
 static const double element_threshold = 0.1; /* of p and v, ISO 21920-2 default */
 static const double short_of_fit = 0.01;     /* of a sampling length */
@@ -138,12 +137,4 @@ enum status_code parameters_of_roughness(struct parameters *out, const double *h
     *out = parameters_compute('R', height_m + first, used, spacing_m, (size_t)fit);
     out->first_m = (double)first * spacing_m;
     return STATUS_OK;
-}
-
-double parameters_value(const struct parameters *parameters, const char *name)
-{
-    for (size_t p = 0; p < PARAMETERS_COUNT; p++)
-        if (strcmp(parameters_rows[p].name, name) == 0)
-            return parameters->value[p];
-    return NAN;
 }

@@ -49,7 +49,4 @@ MUST_CHECK enum status_code parameters_of_roughness(struct parameters *out, cons
                                                     double spacing_m, double cutoff_m, const double margin_m[2],
                                                     struct status *status);
 
-/** The value called `name` ("q"); NaN: no such row. */
-double parameters_value(const struct parameters *parameters, const char *name);
-
 #endif

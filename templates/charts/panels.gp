@@ -27,7 +27,7 @@ set label '{{title}}' at graph 0, screen {{title_y}} left
 {{#marks}}
 {{#vertical}}
 set arrow from {{at}}, graph 0 to {{at}}, graph 1 nohead lc rgb ink lw 1 dt 3 back
-set label '{{name}}' at {{at}}, screen {{mark_y}} {{side}} textcolor rgb ink
+set label '{{name}}' at screen {{name_x}}, screen {{mark_y}} left textcolor rgb ink
 {{/vertical}}
 {{#horizontal}}
 set arrow from graph 0, first {{at}} to graph 1, first {{at}} nohead lc rgb ink lw 1 dt 3 back

@@ -224,11 +224,12 @@ TEST_CASE(panels_have_room)
             }
 }
 
-/* Names on an axis and those of marks have their room, whatever font draws them: above the panel, or right of it. */
+/* Names on an axis and those of marks have their room, whatever font draws them: above the panel, beside each other, or
+ * right of it. */
 TEST_CASE(names_of_rows_and_marks_have_room)
 {
     static const char row[] = "direct solution of the map with hardness", across[] = "operating load 0.475 N",
-                      target[] = "target 20000 W/(m²·K)";
+                      close[] = "limit 2 mΩ", target[] = "target 20000 W/(m²·K)";
     static const double letter = 7.6;
     for (int at = 0; at <= 10; at++) {
         struct chart chart = chart_make("names");
@@ -238,20 +239,24 @@ TEST_CASE(names_of_rows_and_marks_have_room)
         for (int x = 0; x <= 10; x++)
             chart_row(&chart, x, 1, 0, 0);
         chart_mark(&chart, true, at, across);
+        chart_mark(&chart, true, at < 10 ? at + 0.1 : 9.9, close);
         if (at % 2)
             chart_mark(&chart, false, 1, target);
         struct text script = script_of(&chart, NULL);
         const char *drawn = text_string(&script), *mark = strstr(drawn, across);
         double left = setting(drawn, "set lmargin at screen "), right = setting(drawn, "set rmargin at screen "),
                top = setting(drawn, "set tmargin at screen "), high = setting(drawn, "size 800,"),
-               title = setting(strstr(drawn, "'title' at graph 0, "), "screen "), above = setting(mark, "screen "),
-               middle = 800 * (left + (right - left) * at / 10);
+               title = setting(strstr(drawn, "'title' at graph 0, "), "screen "), above = setting(mark, ", screen "),
+               from = 800 * setting(mark, "at screen "), beside = 800 * setting(strstr(drawn, close), "at screen "),
+               wide = letter * (double)text_characters(across);
         assert_true(800 * left >= letter * (double)text_characters(row));
         assert_true(at % 2 == 0 || 800 * (1 - right) >= letter * (double)text_characters(target));
         assert_true(high * (above - top) >= 8 && high * (title - above) >= 16 && high * (1 - title) >= 8);
-        double half = letter * (double)text_characters(across) / 2;
-        double from = middle - (strstr(mark, " right textcolor") == strstr(mark, " textcolor") - 6 ? 2 : 1) * half;
-        assert_true(from >= 0 && from + 2 * half <= 800);
+        double close_wide = letter * (double)text_characters(close);
+        assert_true(fmin(from, beside) >= 0 && fmax(from + wide, beside + close_wide) <= 800);
+        assert_true(at < 10 ? from + wide <= beside : beside + close_wide <= from);
+        assert_true(at < 2 || at > 7 ||
+                    fabs(beside + close_wide / 2 - 800 * (left + (right - left) * (at + 0.1) / 10)) < 9);
         text_free(&script);
         chart_free(&chart);
     }

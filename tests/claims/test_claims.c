@@ -93,6 +93,34 @@ static const char *said(const json_t *claims, const char *key, const char *part)
     return NULL;
 }
 
+/** A claim of one surface or of all is said once; within a level the largest factor comes first; the parts of the
+ * uncertainty make the whole. */
+static void expect_list(const json_t *claims)
+{
+    size_t i, k;
+    const json_t *claim, *other;
+    double before = INFINITY, factor, model, scans, waves;
+    json_array_foreach(claims, i, claim)
+    {
+        const char *key = json_string_value(json_object_get(claim, "key"));
+        const json_t *numbers = json_object_get(claim, "numbers");
+        json_array_foreach(claims, k, other) if (k < i && strncmp(key, "target", 6) && strncmp(key, "limit", 5))
+            assert_string_not_equal(json_string_value(json_object_get(other, "key")), key);
+        if (strcmp(json_string_value(json_object_get(claim, "level")), "uncertainty") != 0)
+            continue;
+        if (json_unpack((json_t *)numbers, "{s:F}", "factor", &factor) == 0) {
+            assert_true(factor <= before);
+            before = factor;
+        }
+        if (strcmp(key, "uncertainty") == 0) {
+            assert_int_equal(
+                json_unpack((json_t *)numbers, "{s:F, s:F, s:F}", "model", &model, "scans", &scans, "waves", &waves),
+                0);
+            assert_near(model + scans + waves, 1, 1e-12);
+        }
+    }
+}
+
 TEST_IN_WORKSPACE(every_row_holds)
 {
     make_folder(place);
@@ -101,12 +129,34 @@ TEST_IN_WORKSPACE(every_row_holds)
     const json_t *claims = NULL;
     for (size_t i = 0; i < line_count; i++) {
         if (strcmp(scene, lines[i][1]) != 0)
-            claims = claims_of(place, scene = lines[i][1]);
+            expect_list(claims = claims_of(place, scene = lines[i][1]));
         const bool wanted = strcmp(lines[i][2], "-") != 0;
         const char *text = said(claims, lines[i][0], wanted ? lines[i][2] : "");
         if ((text != NULL) != wanted)
             fail_msg("'%s' of %s: %s\n%s", lines[i][0], scene, text ? text : "is not said",
                      json_dumps(claims, JSON_INDENT(1)));
+    }
+}
+
+/** What the letters of the first table mean is said of three surfaces or more; of two, whether they differ. */
+TEST_IN_WORKSPACE(two_surfaces_need_no_letters)
+{
+    static const char letters[] = "Surfaces with a letter in common";
+    static const struct {
+        const char *others, *said;
+    } cases[] = {{"", NULL},
+                 {", {name: B, file: \"b-*.csv\"}", "The two surfaces do not differ significantly."},
+                 {", {name: D, file: \"d-*.csv\"}", "The two surfaces differ significantly."},
+                 {", {name: B, file: \"b-*.csv\"}, {name: D, file: \"d-*.csv\"}", letters}};
+    make_folder(place);
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        claims_of(place, filled("{material: bronze, counterface: same, nominal_area: 1 mm2, operating_load: 1 N, "
+                                "surfaces: [{name: A, file: \"a-*.csv\"}%s]}",
+                                cases[i].others));
+        const char *report = workspace_read(place, "o/report.md");
+        assert_int_equal(strstr(report, letters) != NULL, cases[i].said == letters);
+        assert_int_equal(strstr(report, "he two surfaces") != NULL, cases[i].said && cases[i].said != letters);
+        assert_true(!cases[i].said || strstr(report, cases[i].said));
     }
 }
 

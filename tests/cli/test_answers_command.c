@@ -137,6 +137,7 @@ TEST_IN_WORKSPACE(a_limit_without_a_value_is_not_met)
     struct table table = workspace_table(place, "out/data/limits.csv");
     assert_string_equal(table_text(&table, 0, "verdict"), "no value");
     assert_string_equal(table_text(&table, 0, "value"), "");
+    expect_part(run.out, " is not known on a.");
     expect_part(run.err, "surface 'a' leaves undecided the limit gap ≤ 1e-09 m: no value\n");
 }
 

@@ -160,25 +160,15 @@ static size_t lines_of(const char *text)
     return lines;
 }
 
-/* Ten refusals are said, more are counted; of ten none is. */
+/* Ten refusals are said, more are counted (test_messages.c: of a report); of ten none is. */
 TEST_IN_WORKSPACE(test_many_empty_files)
 {
     for (int i = 0; i < 31; i++) {
         workspace_write(place, lasting("many/%d.csv", i), "");
-        workspace_write(place, lasting("one/s/%d.csv", i), "");
         if (i < 10)
             workspace_write(place, lasting("ten/%d.csv", i), "");
     }
-    workspace_scan(place, "one/s/good.csv", 200, 1);
-    struct process process = expect_exit(place, 4, "report", "many");
-    assert_int_equal(lines_of(process.err), 12); /* and that there is no report */
-    expect_part(process.err, "and 21 more refused");
-    process = expect_exit(place, 1, "report", "one", "--no-cost");
-    expect_part(process.err, "and 21 more refused");
-    process = expect_exit(place, 4, "report", "ten");
-    assert_int_equal(lines_of(process.err), 11);
-    expect_no_part(process.err, "more refused");
-    process = expect_exit(place, 4, "inspect", "many");
+    struct process process = expect_exit(place, 4, "inspect", "many");
     assert_int_equal(lines_of(process.err), 11);
     expect_part(process.err, "and 21 more scans refused; --json names all");
     process = expect_exit(place, 4, "inspect", "ten");
@@ -205,29 +195,10 @@ TEST_IN_WORKSPACE(test_one_bad_scan_stops_no_other)
     struct process process = expect_exit(place, 1, "report", "d", "--material", "tin", "--effects", "plasticity");
     expect_part(process.err, "surface 'b' refused: b.csv:4: 'x' in a column of numbers; correct or remove this line\n");
     expect_part(process.out, "\nout/d/report.html\n");
-    expect_in_file(place, "out/d/report.md", "**1 of 3 files were not used**, of b.", "'x' in a column of numbers");
+    expect_in_file(place, "out/d/report.md", "**1 of 3 files was not used**, of b.", "'x' in a column of numbers");
     expect_in_file(place, "out/d/report.html", "b.csv:4: 'x' in a column of numbers");
     expect_in_file(place, "out/d/results.json", "\"surface\": \"b\"",
                    "\"error\": \"b.csv:4: 'x' in a column of numbers; correct or remove this line\"");
     expect_in_file(place, "out/d/data/surfaces.csv", "\na,a.csv,200,", "\nc,c.csv,200,");
     expect_not_in_file(place, "out/d/data/surfaces.csv", "b.csv");
-}
-
-/* Nor does one of several scans of a surface; the exit status says that not all is there, of `plan` too. */
-TEST_IN_WORKSPACE(test_one_bad_scan_of_a_surface)
-{
-    workspace_scan(place, "d/s/a.csv", 200, 1);
-    workspace_write(place, "d/s/b.csv", "x [um],z [um]\n0,1\n1,2\n2,x\n");
-    workspace_scan(place, "d/s/c.csv", 200, 3);
-    static const char said[] =
-        "surface 's': s/b.csv:4: 'x' in a column of numbers; correct or remove this line - refused; 2 of "
-        "its 3 scans are used\n";
-    struct process process = expect_exit(place, 1, "report", "d", "--no-cost");
-    expect_part(process.err, said);
-    expect_no_part(process.err, "predicted, ");
-    expect_errors(expect_exit(place, 1, "plan", "d"), said);
-    workspace_write(place, "d/s/a.csv", "x [um],z [um]\n0,1\n1,2\n2,y\n");
-    workspace_write(place, "d/s/c.csv", "x [um],z [um]\n0,1\n1,2\n2,z\n");
-    expect_errors(expect_exit(place, 4, "report", "d", "--no-cost"), "surface 's' refused: s/a.csv:4: 'y'",
-                  "surface 's': s/b.csv:4: 'x'", "surface 's': s/c.csv:4: 'z'");
 }

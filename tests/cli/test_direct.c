@@ -132,7 +132,7 @@ TEST_IN_WORKSPACE(test_off)
         assert_int_equal(workspace_count(place, "patches"), 0);
         expect_not_in_file(place, "out/report.md", "## Against a direct solution");
         expect_in_file(place, "out/report.md",
-                       "direct (not called for; it says how far each model is off, in seconds to minutes)");
+                       "direct (not called for; it takes seconds to minutes and says how far each model is off)");
         json_t *all = workspace_json(place, "out/results.json");
         assert_null(json_object_get(all, "direct"));
     }

@@ -153,7 +153,7 @@ TEST_IN_WORKSPACE(direct_solutions_are_of_their_surface)
         char colour[8] = "", open_colour[8] = "";
         workspace_write(place, "d/scene.yaml",
                         filled("material: tin\nbaseline: b\nmodels: [strip, gw]\neffects: [separation, electrical]\n"
-                               "direct: {grid: 64, seeds: 2, loads: [%s6e-3, 1e-2]}\n",
+                               "direct: {grid: 64, seeds: 2, loads: [%s6e-3, 1e-2]}\noperating_load: 1e-2\n",
                                some ? "2.5e-4, 3e-4, " : ""));
         run_to_exit(place, 0, "report", "d", "-o", "out", "--no-cost");
         struct table table = workspace_table(place, "out/data/direct.csv");
@@ -172,6 +172,7 @@ TEST_IN_WORKSPACE(direct_solutions_are_of_their_surface)
         const char *line = strstr(data, "# b\n");
         assert_non_null(line);
         expect_part(script, filled("lines lc rgb '%s' lw 2.6 dt 1 title 'b'", colour));
+        expect_in_file(place, "out/figures/models.gp", "'direct solution'");
         script = file_of(place, "out", "direct", "gp");
         data = file_of(place, "out", "direct", "csv");
         assert_int_equal(rows_of_points(script, data, 6, open_colour) > 0, some);
@@ -246,7 +247,7 @@ TEST_IN_WORKSPACE(surfaces_stand_in_rows)
     script = file_of(place, "out", "surfaces-at-load", "gp");
     assert_int_equal(times(script, " pt 5"), 1);
     assert_int_equal(times(script, "set label 'limit "), 1);
-    expect_parts(script, "'limit 7\u00a0mΩ' at 7,");
+    expect_parts(script, "arrow from 7, graph 0 to 7,", "'limit 7\u00a0mΩ' at screen ");
     data = file_of(place, "out", "surfaces-at-load", "csv");
     block_numbers(row, data, strstr(script, " pt 5") < strstr(script, " pt 7") ? 0 : 1);
     assert_near(row[0], 5, 1e-6);
@@ -271,10 +272,12 @@ TEST_IN_WORKSPACE(models_have_intervals_and_ranges)
         assert_int_equal(times(script, "with xerrorbars"), 9 - overloaded);
         assert_int_equal(times(script, " pt 6") > 0, outside);
         assert_int_equal(strstr(report, "hollow: outside the model's range of validity") != NULL, outside);
-        assert_int_equal(times(script, " pt 6"), times(report, "](#methods-and-sources) †"));
-        expect_in_file(place, "out/report.html", "<a href=\"#methods-and-sources\">CMY</a>",
-                       "<a id=\"methods-and-sources\"></a>");
-        expect_parts(report, "(truncation)\n", "by strip transfer with hardness, which solves the scans as strips");
+        assert_int_equal(times(script, " pt 6"), times(report, ") †"));
+        expect_in_file(place, "out/report.html", "<a href=\"#cmy\">CMY</a>",
+                       "<strong>CMY</strong><a id=\"cmy\"></a></td>", "<a href=\"#strip-transfer-with-hardness\">",
+                       "<a id=\"strip-transfer-with-hardness\"></a>");
+        expect_parts(report, "(truncation) | Cooper",
+                     "by strip transfer with hardness, which solves the scans as strips");
     }
 }
 
@@ -408,6 +411,14 @@ TEST_IN_WORKSPACE(a_temperature_that_hardly_changes)
         run_to_exit(place, 0, "report", "d", "-o", "out", "--no-cost");
         expect_in_file(place, "out/figures/joint.gp", "set yrange [654.165:799.535]");
     }
+    /* hot spots end where the softer metal melts: tin at 232 °C, whichever body it is */
+    workspace_write(place, "d/scene.yaml",
+                    "material: copper\ncounterface: tin\nnominal_area: 1 mm2\ncurrent: 30 A\n"
+                    "load: {from: 1 mN, to: 1 N, points: 21}\n");
+    run_to_exit(place, 0, "report", "d", "-o", "out", "--no-cost");
+    const char *script = workspace_read(place, "out/figures/joint.gp"), *range = strstr(script, "set yrange [18");
+    assert_non_null(range);
+    assert_within(strtod(strchr(range, ':') + 1, NULL), 232, 20);
 }
 
 /* At 400 px the table's surface, answer and value are seen. No chart is cut at 400 px, no table, not even 6.2 with its

@@ -131,18 +131,6 @@ TEST_IN_WORKSPACE(each_proposal_is_a_scene)
     }
 }
 
-/* Without a scene the page says which three keys make the answer the user's; with one it does not. */
-TEST_IN_WORKSPACE(three_keys_make_it_his)
-{
-    static const char line[] = "set `material` for your part (`roughcontact init` writes a scene)";
-    workspace_scan(place, "d/a.csv", 200, 1);
-    run_to_exit(place, 0, "report", "d", "--brief", "--no-cost", "-o", "o");
-    expect_in_file(place, "o/report.md", line);
-    workspace_write(place, "d/scene.yaml", "material: tin\n");
-    run_to_exit(place, 0, "report", "d", "--brief", "--no-cost", "-o", "o");
-    expect_not_in_file(place, "o/report.md", line);
-}
-
 TEST_IN_WORKSPACE(nothing_is_written_over)
 {
     make_files(place, "a.csv|b.csv");

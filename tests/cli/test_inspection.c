@@ -100,9 +100,9 @@ static void check_profile(const struct inspection *f, json_t *expected)
     assert_near(f->roughness.m2, number(expected, "M2c"), 1e-6);
     assert_near(f->roughness.m4_per_m2, number(expected, "M4_um_2") * 1e12, 1e-6);
     if (!f->profile.measured_x_m) { /* the parameters are of the uniform profile */
-        assert_near(parameters_value(&f->primary, "sk"), number(expected, "Sk"), 1e-6);
-        assert_near(parameters_value(&f->primary, "ku"), number(expected, "Ku"), 1e-9);
-        assert_near(parameters_value(&f->primary, "dq"), sqrt(number(expected, "M2_7")), 1e-6);
+        assert_near(parameter_named(&f->primary, "sk"), number(expected, "Sk"), 1e-6);
+        assert_near(parameter_named(&f->primary, "ku"), number(expected, "Ku"), 1e-9);
+        assert_near(parameter_named(&f->primary, "dq"), sqrt(number(expected, "M2_7")), 1e-6);
     }
 }
 
@@ -114,9 +114,9 @@ static void check_instrument(const char *file, json_t *entry)
     options.lambda_s_m = number(printed, "lambda_s_um") * 1e-6;
     options.lambda_c_m = number(printed, "lambda_c_um") * 1e-6;
     struct inspection f = find(file, &options);
-    assert_near(parameters_value(&f.filtered, "a"), number(printed, "Ra_um") * 1e-6, 1e-3);
-    assert_near(parameters_value(&f.filtered, "q"), number(printed, "Rq_um") * 1e-6, 3e-3);
-    assert_near(parameters_value(&f.filtered, "z"), number(printed, "Rz_um") * 1e-6, 3e-3);
+    assert_near(parameter_named(&f.filtered, "a"), number(printed, "Ra_um") * 1e-6, 1e-3);
+    assert_near(parameter_named(&f.filtered, "q"), number(printed, "Rq_um") * 1e-6, 3e-3);
+    assert_near(parameter_named(&f.filtered, "z"), number(printed, "Rz_um") * 1e-6, 3e-3);
     assert_int_equal(f.filtered.sampling_lengths, 3);
     assert_int_equal(f.scan.nx, (size_t)number(uniform, "points"));
     assert_near(f.scan.dx_m, number(uniform, "dx_um") * 1e-6, 1e-9);
@@ -175,11 +175,11 @@ TEST_CASE(test_roughness_profile)
     assert_true(with.has_filtered);
     assert_int_equal(with.filtered.sampling_lengths, 6); /* and half of one at either end */
     assert_memory_equal(with.primary.value, without.primary.value, sizeof with.primary.value);
-    assert_true(parameters_value(&with.filtered, "q") < parameters_value(&with.primary, "q"));
+    assert_true(parameter_named(&with.filtered, "q") < parameter_named(&with.primary, "q"));
     json_t *object = inspection_json("nist_npl_edm.xml", &with), *parameters = json_object_get(object, "parameters");
     assert_near(number(parameters, "lambda_c_m"), 8e-4, 1e-12);
     assert_true(json_is_null(json_object_get(parameters, "lambda_s_m")));
-    assert_near(number(parameters, "Rq"), parameters_value(&with.filtered, "q"), 0);
+    assert_near(number(parameters, "Rq"), parameter_named(&with.filtered, "q"), 0);
     assert_near(number(parameters, "Pq"), 0.55994e-6, 1e-5);
     assert_string_equal(json_string_value(json_object_get(parameters, "slope")), "7-point");
     json_decref(object);

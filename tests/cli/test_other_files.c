@@ -62,30 +62,6 @@ TEST_IN_WORKSPACE(test_passed_over)
                    "e");
 }
 
-/* What every scan of a surface says in the same words is said once. */
-TEST_IN_WORKSPACE(test_counted_notes)
-{
-    struct text *scene = support_text();
-    text_add(scene, "surfaces:\n  - name: s\n    file: [");
-    for (unsigned i = 0; i < 12; i++) {
-        struct text *scan = support_text();
-        uint64_t seed = i + 1;
-        text_add(scan, "x [um],z [um],more\n");
-        for (int k = 0; k < 200; k++) {
-            seed = seed * 6364136223846793005u + 1442695040888963407u;
-            text_add(scan, "%d,%.4f,1\n", k, (double)(seed >> 40) * 1e-6);
-        }
-        workspace_write(place, filled("d/%u.csv", 10 + i), text_string(scan));
-        text_add(scene, "%s%u.csv", i > 0 ? ", " : "", 10 + i);
-    }
-    text_add(scene, "]\n");
-    workspace_write(place, "d/scene.yaml", text_string(scene));
-    static const char note[] = "3 columns: column 1 read as x, column 2 as z, the others ignored";
-    struct process process = expect_exit(place, 0, "plan", "d");
-    expect_part(process.err, filled(".csv: %s (and of 11 more scans)\n", note));
-    assert_null(strstr(strstr(process.err, note) + 1, note));
-}
-
 TEST_IN_WORKSPACE(test_packed)
 {
     workspace_scan(place, "1.csv", 200, 3); /* in the order of their contents, which files of a surface are read in */

@@ -61,17 +61,10 @@ static void expect_kept_picture(const char *place, const char *path)
     assert_int_equal(*a, *b);
 }
 
-/** Newtons for 1 mohm; does my measurement agree; the textbook; best and significant; longer or finer scan. */
+/** The connector's numbers are those of docs/sample (test_samples.c); its picture is the README's. */
 TEST_IN_WORKSPACE(a_connector)
 {
     run_to_exit(place, 0, "report", PROJECT_SOURCE "/surfaces/connector", "-o", "out", "--no-cost");
-    char *page = first_page(place, "out");
-    says(place, "out", page, "headline", "markdown");
-    expect_parts(page, "**To reach 1\u00a0mΩ, *as plated* needs 0.966\u00a0N (measured) and *worn* needs ",
-                 " (95\u00a0%: ", "| as plated | 0.966 measured | 0.970 measured | ✓ met |", "| ? undecided |");
-    expect_parts(page, "**Few spots:** about ", "**Your test:** 1\u00a0mΩ at 0.966\u00a0N. *as plated* conducts ",
-                 " times what the model says (95\u00a0%: ", "**Uncertainty ×÷\u00a0", "from the choice of model",
-                 "**Flatness counts:** ", "**Textbook (CMY):** ", "of the resistance.", "heat the spots by ");
     expect_kept_picture(place, "out/figures/answer.svg");
 }
 
@@ -102,24 +95,6 @@ TEST_IN_WORKSPACE(a_conductance)
             fabs(table_number(&contact, i, "pressure_Pa") / 1e6 - 1) < 1e-9 && fabs(decades - round(decades)) < 0.03;
     }
     assert_true(same >= 1);
-}
-
-/** Which model, and how far off: the direct solution's answer, and what the model makes of it. */
-TEST_IN_WORKSPACE(how_far_off)
-{
-    workspace_scan(place, "d/a.csv", 160, 1);
-    workspace_write(place, "d/scene.yaml",
-                    "material: tin\neffects: [electrical, direct]\nload: {from: 1e-4, to: 2e-2, "
-                    "points: 9}\ndirect: {grid: 64, seeds: 2, loads: 7}\noperating_load: 5e-3\n");
-    run_to_exit(place, 0, "report", "d", "--no-cost", "-o", "out");
-    char *page = first_page(place, "out");
-    expect_parts(page, "**Checked:** solving *a* directly gives a contact resistance of ", ", the model ");
-    workspace_write(place, "d/scene.yaml",
-                    "material: tin\nload: {from: 1e-4, to: 2e-2, points: 9}\nfilm: 1e-11 ohm m2\n"
-                    "direct: {grid: 64, seeds: 2, loads: 7}\noperating_load: 5e-3\n");
-    run_to_exit(place, 0, "report", "d", "--no-cost", "-o", "film");
-    page = first_page(place, "film");
-    expect_parts(page, "**Checked:** solving *a* directly gives a ", "\u00a0Ω·m² at ", ", the model ");
 }
 
 /** What a reader has to go through. */
@@ -195,7 +170,7 @@ TEST_IN_WORKSPACE(no_longer_than_that)
         const struct size all = size_of(whole), page = size_of(first);
         assert_in_range(all.words, 300, 1000);
         assert_in_range(all.figures, 5, 13);
-        assert_in_range(all.tables, 4, 10);
+        assert_in_range(all.tables, 4, 11); /* with that of the equations */
         assert_in_range(page.words, 20, 230);
         assert_in_range(page.columns, 4, 8);
         assert_int_equal(page.tables, 1);

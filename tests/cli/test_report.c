@@ -262,10 +262,6 @@ TEST_IN_WORKSPACE(test_measured)
     assert_string_equal(table_text(&answers, 1, "surface"), "a");
     assert_near(table_number(&answers, 1, "load_over_AnEp"), target_load, 1e-5);
     assert_true(table_number(&answers, 0, "load_over_AnEp") < 0.99 * target_load);
-    strcat(text, "measured: {file: .run.csv}\n");
-    workspace_write(place, "d/scene.yaml", text);
-    expect_failure(place, 3, 1, "the baseline, 'a', has 'measured' of its own and the scene's; remove either", "report",
-                   "d");
     workspace_write(place, "d/scene.yaml", filled(scene, "measured: {file: ecr.csv, load_unit: N}\n"));
     expect_failure(place, 3, 1, "ecr.csv:1: the unit is 'mN' here, but the scene's load_unit says 'N'", "report", "d");
     workspace_write(place, "d/ecr.csv", "load,ecr\n1,4.8\n");

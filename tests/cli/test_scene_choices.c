@@ -171,5 +171,5 @@ TEST_IN_WORKSPACE(effects_say_what_they_change)
     assert_near(factor_of(view, "plasticity"), joint / bare[0], 0.05);
     assert_true(isnan(factor_of(view, "thermal")) && isnan(factor_of(view, "uncertainty")));
     expect_in_file(place, "o/report.md", "needs no more than E'; changes no other number",
-                   "one scan that records can be simulated of; changes no number");
+                   "records can be simulated of the one scan of 1 surface; changes no number");
 }

@@ -295,7 +295,7 @@ TEST_CASE(curves)
         const double *pressure_Pa, *gap_m;
         double hardness_Pa;
         const char *says;
-    } wrong[] = {{pressure_Pa, gap_m, 5e4, "its curve over pressure has 2 points, of the 3 it takes"},
+    } wrong[] = {{pressure_Pa, gap_m, 5e4, "its curve over pressure has 2 points; at least 3 are needed"},
                  {pressure_Pa, pressure_Pa, INFINITY, "its gap does not fall with the pressure"},
                  {twice_Pa, gap_m, INFINITY, "its curve over pressure is not finite at 0.001 MPa"},
                  {pressure_Pa, lost_m, INFINITY, "its curve over pressure is not finite at 0.01 MPa"}};

@@ -227,6 +227,17 @@ TEST_CASE(folded_sections)
     text_free(&page);
 }
 
+/* A cell in bold is led to by its words, as a heading is. */
+TEST_CASE(bold_cells_have_anchors)
+{
+    struct text page =
+        rendered("[x](#elastic-plastic-strip)\n\n| a |\n|---|\n| **Elastic-plastic strip** |\n| plain **b** |\n");
+    expect_parts(body_of(&page), "<a href=\"#elastic-plastic-strip\">x</a>",
+                 "<td><strong>Elastic-plastic strip</strong><a id=\"elastic-plastic-strip\"></a></td>",
+                 "<td>plain <strong>b</strong></td>");
+    text_free(&page);
+}
+
 /* Cells that judge have a class for their colour, and keep mark and words; others have none. */
 TEST_CASE(verdicts)
 {

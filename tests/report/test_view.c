@@ -165,7 +165,7 @@ static const struct {
     {"rows.1.value.value", "50.0"},
     {"rows.2.value.value", "375"},
     {"rows.2.value.interval", "330–430"},
-    {"claims.0.key", "refused"},
+    {"claims.0.key", "refused-one"},
     {"surfaces.rows.0.gamma", "1.4"},
     {"rows.0.gamma.error", "0.010"},
     {"surfaces.rows.1.scans", "1"},
@@ -194,7 +194,7 @@ TEST_OF_PLAIN(the_report_says_them_in_words)
 {
     report_says("**At 10.0\u00a0N the contact resistance is 50.0\u00a0µΩ (95\u00a0%: 44–57) on *alpha* and 375\u00a0µΩ",
                 "*alpha* has a significantly better contact resistance than the next, *beta*",
-                "*beta* conducts 0.667 times what the model says", "**1 of 4 files were not used**",
+                "*beta* conducts 0.667 times what the model says", "**1 of 4 files was not used**",
                 "| beta | 150 (96–240) | b | 0.200 | 0.500 | 1.400 ± 0.010 |", "Table 6.2", "Table 6.3");
     report_lacks("{{", "\n\n\n", "Does the area converge", "The joint");
 }

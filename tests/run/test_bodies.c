@@ -72,6 +72,19 @@ TEST_IN_DIRECTORY(bodies_are_completed)
     scene_free(&scene);
 }
 
+/* The metal that softens first is that of the body that yields first; a rigid one does not. */
+TEST_CASE(the_softer_body)
+{
+    const struct scene_bodies hard = {.material = *material_find("copper"), .counterface = *material_find("tin")};
+    struct scene_bodies bodies = hard;
+    assert_ptr_equal(scene_softer(&bodies), &bodies.material); /* as the counterface is rigid */
+    bodies.counterface_kind = MATERIAL_COUNTERFACE_ELASTIC;
+    assert_ptr_equal(scene_softer(&bodies), &bodies.counterface);
+    bodies.material = hard.counterface;
+    bodies.counterface = hard.material;
+    assert_ptr_equal(scene_softer(&bodies), &bodies.material);
+}
+
 /* The summary stands at the operating load, where every surface has 12 MPa on 1 mm²; charts are over newtons. */
 TEST_IN_DIRECTORY(loads_are_shown_as_given)
 {

@@ -21,28 +21,6 @@ static int place_setup(void **state)
 
 static const char leading[] = "corrected-persson-plastic";
 
-/* Where the surface was solved directly, the page says what that gives, and its chart has it. */
-TEST_IN_PLACE(test_against_the_direct_solution)
-{
-    mkdir(directory_path(place, "one"), 0777);
-    pipeline_rough(place, "one/a.csv", 160, 0.3, 1);
-    directory_write(
-        place, "one/scene.yaml",
-        "models: [corrected-persson]\nmaterial: tin\nload: {from: 1e-6, to: 1e-2, points: 9}\n"
-        "operating_load: 1e-4\neffects: [plasticity, electrical, direct]\ndirect: {grid: 64, seeds: 2, loads: 5}\n");
-    assert_int_equal(pipeline_run(place, "one", "direct", 1), 0);
-    char *page = directory_read(place, "direct/report.md");
-    struct table table = table_read_path(directory_path(place, "direct/data/direct_ratio.csv"));
-    size_t loads = 0;
-    for (size_t row = 0; row < table.rows; row++)
-        loads += strcmp(table_text(&table, row, "model"), leading) == 0 && *table_text(&table, row, "ecr");
-    assert_true(loads >= 2);
-    const char *rule = strstr(page, "\n---\n"), *answer = strstr(page, "- **Checked:** solving *a* directly gives ");
-    assert_true(rule && answer && answer < rule);
-    char *chart = directory_read(place, "direct/figures/models.gp");
-    assert_non_null(strstr(chart, "'direct solution'"));
-}
-
 /* Where the scene does not say it stands at the load next to the geometric middle of those at which A/A_n is 0.1 to
  * 10 % on the baseline, by the leading model; beyond the direct solutions their nearest is what it speaks of. */
 TEST_IN_PLACE(test_where_the_page_stands)
@@ -136,29 +114,6 @@ static char *page_of(const struct directory *place, const char *scene)
     assert_non_null(rest);
     *rest = '\0';
     return page;
-}
-
-/* Above the hardness the leading model has no answer: page, files and terminal name that one, and the page says why;
- * just below it has one, and says nothing. */
-TEST_IN_PLACE(test_a_load_above_the_hardness)
-{
-    static const char why[] = "not known on a",
-                      also[] = "The load exceeds the hardness: 100\u00a0MPa on a, which yields at 39.8\u00a0MPa";
-    const char *page = page_of(place, "material: tin\nnominal_area: 1 mm2\noperating_load: 100 MPa\n");
-    expect_parts(page, "not known on *a*",
-                 "**The load exceeds the hardness:** 100\u00a0MPa on *a*, which yields at 39.8",
-                 "by strip transfer with hardness");
-    expect_in_file(place, "out/results.json", "\"leading\": \"strip-plastic\"");
-    struct run_outcome outcome;
-    pipeline_outcome(&outcome, place, "pressed", "out", 1);
-    char *words = strdup(text_string(&outcome.table));
-    for (char *at = words; (at = strchr(at, '\n'));)
-        *at = ' ';
-    expect_parts(words, why, also);
-    free(words);
-    run_outcome_free(&outcome);
-    page = page_of(place, "material: tin\nnominal_area: 1 mm2\noperating_load: 30 MPa\n");
-    expect_no_parts(page, "exceeds", "not known");
 }
 
 /* Area is P/H, load and hardness alone, or it is not: whatever scatters in the last digits. */

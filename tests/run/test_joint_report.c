@@ -64,7 +64,7 @@ TEST_IN_PLACE(columns_follow_from_the_others)
 {
     char *report = report_of(place, JOINT);
     struct table contact = directory_table(place, "out/data/contact.csv");
-    const struct gas *helium = gas_find("helium");
+    const struct gas *helium = gas_named("helium");
     double jump_m = gas_jump_length(helium, 320, 0.5 * 101325, 0.5, 0.5);
     size_t gaps = 0, equal = 0, own = 0, plated = 0, hot = 0;
     for (size_t i = 0; i < contact.rows; i++) {
@@ -521,7 +521,7 @@ TEST_IN_PLACE(sentences)
     static const struct {
         const char *scene, *says;
     } rows[] = {
-        {"material: tin\ngap: {conductivity: 0.8}\n", ": no bond_line: the filler is as thin as the gaps"},
+        {"material: tin\ngap: {conductivity: 0.8}\n", ": no bond_line: the filler is taken as thin as the gaps"},
         {"material: tin\ngap: {filler: pad, bond_line: 100 um}\n",
          "The gaps are filled with pad of 1.00 W/(m·K), at least 100 µm thick."},
         {"material: tin\ngap: {liquid: water, temperature: 350 K}\n",
@@ -647,7 +647,8 @@ TEST_IN_PLACE(one_hardness_for_the_others)
     for (size_t i = 0; i < contact.rows; i++)
         if (strcmp(table_text(&contact, i, "model"), "cmy") == 0 && number(&contact, i, "load_over_AnEp") == 1e-6) {
             double hardness_MPa = 60 * pow(sqrt(2 * M_PI) * number(&contact, i, "spot_radius_m") / 1e-6, -0.2);
-            expect_parts(report, filled("all else %.4g MPa, theirs at the operating load", hardness_MPa));
+            expect_parts(report,
+                         filled("all other models %.4g MPa, that of CMY's spots at the operating load", hardness_MPa));
             checked++;
         }
     assert_int_equal(checked, 2);

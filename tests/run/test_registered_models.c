@@ -284,8 +284,8 @@ TEST_CASE(test_the_report)
     char *text = directory_read(&whole, "out/report.md");
     const char *md = text;
     const char *baseline = section(md, "## One surface, every model");
-    expect_parts(baseline, "| [numeric stack](#methods-and-sources)");
-    assert_row(baseline, "| [area alone](#methods-and-sources) ", 6);
+    expect_parts(baseline, "| [numeric stack](#numeric-stack)");
+    assert_row(baseline, "| [area alone](#area-alone) ", 6);
     expect_parts(
         section(md, "## All surfaces"),
         "| β of numeric stack, full contact | β of numeric stack, multiscale elastic |"); /* its beta stands beside the
@@ -295,9 +295,10 @@ TEST_CASE(test_the_report)
     const char *measured = section(md, "## Measured");
     expect_parts(measured, "numeric stack ");
     expect_no_parts(measured, "area alone ");
-    expect_parts(section(md, "## Methods and sources"), "- **numeric stack**: ", "- **area alone**: ");
+    expect_parts(section(md, "## Methods and sources"), "| **numeric stack** | It says what it says: none | source of",
+                 "| **area alone** |");
     expect_no_parts(md, "nan", "inf ");
-    expect_in_file(&whole, "out/report.html", "numeric stack", "<strong>area alone</strong>");
+    expect_in_file(&whole, "out/report.html", "numeric stack", "<strong>area alone</strong><a id=\"area-alone\"></a>");
 }
 
 TEST_CASE(test_the_work)

@@ -16,23 +16,6 @@ static int place_setup(void **state)
 
 #define PLACED(name) TEST_WITH(name, place_setup, directory_teardown)
 
-/* One scan that is none: named, with why; the others are reported as if it were not there. */
-PLACED(test_a_refused_scan_does_not_stop_the_others)
-{
-    struct run_outcome outcome;
-    directory_write(*state, "in/scene.yaml", "effects: [electrical]\nmaterial: tin\n");
-    assert_int_equal(pipeline_run(*state, "in", "without", 1), 0);
-    directory_write(*state, "in/aa.csv", "1,1\n2,1\n3,1\n4,1\n");
-    pipeline_outcome(&outcome, *state, "in", "with", 1);
-    assert_int_equal(outcome.surfaces, 3);
-    assert_int_equal(outcome.refused, 1);
-    expect_parts(text_string(&outcome.messages), "surface 'aa' refused: ");
-    expect_parts(outcome.path, "/with/report.html");
-    directory_expect_same(*state, "with/data/contact.csv", "without/data/contact.csv");
-    expect_in_file(*state, "with/report.md", "aa");
-    run_outcome_free(&outcome);
-}
-
 static void write_report_before(const struct directory *place)
 {
     directory_write(place, "out/report.md", "before");

@@ -235,27 +235,6 @@ TEST_IN_DIRECTORY(unlike_lengths)
     expect_in_file(place, "out/report.md", "| 2 (cut to 3 pieces) |");
 }
 
-/** Scans that are all the same count as one: the numbers, and the interval, of that one. */
-TEST_IN_DIRECTORY(identical_scans)
-{
-    for (int s = 0; s < 3; s++)
-        rough(place, s == 0 ? "in/0.csv" : s == 1 ? "in/1.csv" : "in/2.csv", POINTS, 1, 1);
-    static const char all[] = "effects: [plasticity, separation, electrical, uncertainty]\n";
-    report(place, "three", all, "{name: m, file: [0.csv, 1.csv, 2.csv]}");
-    report(place, "one", all, "{name: m, file: 0.csv}");
-    struct table three = directory_table(place, "three/data/bands.csv"),
-                 one = directory_table(place, "one/data/bands.csv");
-    size_t a = row_of(&three, "m", "jg", 1e-5), b = row_of(&one, "m", "jg", 1e-5);
-    double low = table_number(&one, b, "ecr_ohm_m2_mean_low_95"),
-           high = table_number(&one, b, "ecr_ohm_m2_mean_high_95");
-    assert_true(low > 0 && low < 0.99 * high);
-    assert_near(table_number(&three, a, "ecr_ohm_m2_mean_low_95"), low, 1e-9);
-    assert_near(table_number(&three, a, "ecr_ohm_m2_mean_high_95"), high, 1e-9);
-    assert_string_equal(table_text(&one, b, "ecr_ohm_m2_next_scan_low_95"), "");
-    expect_in_file(place, "three/report.md", "holds the same heights as", "and counts once with it");
-    expect_not_in_file(place, "one/report.md", "holds the same heights as");
-}
-
 /** Some copies among scans, in another format and unit: as if they were not there. */
 TEST_IN_DIRECTORY(copies_among_scans)
 {
@@ -454,54 +433,6 @@ TEST_IN_DIRECTORY(one_scan_each)
     report(place, "on", "effects: [plasticity, separation, electrical, uncertainty]\n",
            "{name: a, file: a.csv}, {name: b, file: b.csv}");
     expect_in_file(place, "on/report.md", "(95\u00a0%: ", "differ significantly");
-}
-
-/** Two surfaces of the same kind are not told apart; one a hundred times as rough is, by Welch's test with the count of
- * scans. */
-TEST_IN_DIRECTORY(ranked_in_words)
-{
-    for (int s = 0; s < 9; s++) {
-        rough(place, filled("in/%c%d.csv", "abc"[s / 3], s % 3), POINTS, s < 6 ? 1 : 100, (unsigned long)s + 1);
-    }
-    static const char more[] = "effects: [separation, electrical]\nmodels: [gw]\n";
-    report(place, "three", more,
-           "{name: a, file: [a0.csv, a1.csv, a2.csv]}, {name: b, file: [b0.csv, b1.csv, b2.csv]}, "
-           "{name: c, file: [c0.csv, c1.csv, c2.csv]}");
-    expect_in_file(place, "three/report.md",
-                   "*b* has the best contact resistance, but not significantly better than a (p\u00a0=\u00a0");
-    expect_not_in_file(place, "three/report.md", "has a significantly better");
-    report(place, "two", more, "{name: a, file: [a0.csv, a1.csv, a2.csv]}, {name: c, file: [c0.csv, c1.csv, c2.csv]}");
-    expect_in_file(place, "two/report.md",
-                   "*a* has a significantly better contact resistance than the next, *c* (p\u00a0=", "| a | ");
-}
-
-/* The first p value that a report prints. */
-static double first_p(const struct directory *place, const char *report)
-{
-    char *text = directory_read(place, report);
-    const char *at = strstr(text, "(p\u00a0=\u00a0");
-    if (!at)
-        fail_msg("%s prints no p", report);
-    double p = strtod(at + strlen("(p\u00a0=\u00a0"), NULL);
-    return p;
-}
-
-/** Holm's adjustment: the same two surfaces, best and next, beside a third far from both have a larger p. */
-TEST_IN_DIRECTORY(more_pairs_ask_for_more)
-{
-    for (int s = 0; s < 6; s++) {
-        rough(place, filled("in/%c%d.csv", "abc"[s / 2], s % 2), POINTS,
-              s < 2   ? 1
-              : s < 4 ? 20
-                      : 300,
-              (unsigned long)s + 1);
-    }
-    static const char more[] = "effects: [separation, electrical]\nmodels: [gw]\n";
-    report(place, "two", more, "{name: a, file: [a0.csv, a1.csv]}, {name: b, file: [b0.csv, b1.csv]}");
-    report(place, "three", more,
-           "{name: a, file: [a0.csv, a1.csv]}, {name: b, file: [b0.csv, b1.csv]}, {name: c, file: [c0.csv, c1.csv]}");
-    double two = first_p(place, "two/report.md"), three = first_p(place, "three/report.md");
-    assert_true(two < 0.2 && three >= 1.4 * two); /* printed to two digits */
 }
 
 /** Rows of a map are no scans: strips of them have an answer, and nothing tells an interval. */

@@ -124,13 +124,3 @@ TEST_IN_DIRECTORY(of_a_map_it_takes_sq)
     report(place, "map", "map.csv", "1 N");
     assert_near(number(place, "map", "sigma_m"), sqrt(square) * 1e-6, 1e-5);
 }
-
-/** Past P/H = 0.1 its law does not hold: the first page has no number of it, below it has. */
-TEST_IN_DIRECTORY(no_number_where_it_does_not_hold)
-{
-    write_profile(place, "in/p.csv", 1, 20);
-    report(place, "heavy", "p.csv", "5 N");
-    expect_not_in_file(place, "heavy/report.md", "Textbook (CMY):");
-    report(place, "light", "p.csv", "3.5 N");
-    expect_in_file(place, "light/report.md", "- **Textbook (CMY):** ");
-}

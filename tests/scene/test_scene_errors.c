@@ -136,7 +136,8 @@ static const struct wrong rows[] = {
     {AREA "load: {from: 1 N,\n to: 10 MPa}\n", 4, "'to' is a pressure beside a force; give all loads in one unit"},
     {AREA "load: {from: 1 N,\n to: 10}\n", 4, "'to' is a plain number beside a force; give all loads in one unit"},
     {AREA "load: {from: 1 N}\n", 3, "'load' is a force, of which there is no default; give 'from' and 'to'"},
-    {AREA "load: {from: 1 MPa, to: 10 MPa,\n unit: N}\n", 4, "'unit' stands beside loads that have theirs; remove it"},
+    {AREA "load: {from: 1 MPa, to: 10 MPa,\n unit: N}\n", 4,
+     "'unit' is given beside loads that have their own; remove it"},
     {AREA "load: {from: 100 N, to: 10 N}\n", 3, "'from' is 100, above 'to', 10; exchange them"},
     {AREA "load: {from: 1 N, to: 10 N}\noperating_load: 20 N\n", 4,
      "'operating_load' is 20 N, outside the loads, 1 to 10"},
@@ -149,7 +150,7 @@ static const struct wrong rows[] = {
           "copper}]\n",
      4,
      "'operating_load' is a plain number and the loads are a force, which differ from material to material; give "
-     "both alike"},
+     "both in one kind of unit"},
     {AREA "direct: {loads: [1e-3, 2 MPa]}\n", 3,
      "'loads' is a pressure beside a plain number; give all loads in one unit"},
     /* Nothing is assumed where no material is given. */
@@ -160,7 +161,7 @@ static const struct wrong rows[] = {
     {"\nhardness: 40 MPa\n", 2, "'hardness' needs 'material'; add it, or leave 'hardness' out"},
     {"\nmaterial: galinstan\n", 2, "'material' is 'galinstan', which bears no load; give the material of a body"},
     {"\nmaterial: nickel\nmean_free_path: electron\n", 3,
-     "'mean_free_path' is 'electron', which is not known of 'nickel'; give the material's own, such as 40 nm"},
+     "'mean_free_path' is 'electron', but that of 'nickel' is not known; give the material's own, such as 40 nm"},
     /* A surface's own bodies. */
     {"effects: electrical\nsurfaces:\n  - {file: a.csv, material: tin}\n  - {file: b.csv, material: {E: 1 GPa, nu: "
      "0.3}}\n",

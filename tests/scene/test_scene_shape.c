@@ -154,7 +154,7 @@ TEST_CASE(test_refused)
          "the areas of 'f.csv' are 0.00042 m2 together, the nominal one 0.0004 m2"},
         {"shape: {pressure: f.csv}\n", "A [mm2], p [MPa]\n300, 0\n", "'f.csv' presses nowhere"},
         {"shape: {pressure: [f.csv, g.csv]}\n", "A [mm2], p [MPa]\n300, 1\n",
-         "the files of 'pressure' are grids alike, each of another load"},
+         "the files of 'pressure' must be grids of the same places, each at another load"},
         {"operating_load: 410 N\nload: {from: 1 N, to: 1 kN}\nshape: {pressure: g.csv}\n", "",
          "'shape' carries 400 N, -2.44 % from 'operating_load'; correct either, or add scale: true"},
         {"shape: {height: a.csv}\n", "", "a.csv:1: only 1 points; a scan needs at least 3"},
@@ -183,9 +183,8 @@ TEST_CASE(test_refused)
         {"shape: {bolts: [[17.3 mm, 10 mm]], " BOLTS, "",
          "bolt 1 is at 0.0173 m in x, where its hole of 0.00553 m leaves"},
         {"shape: {bolts: [[10 mm, 10 mm], [5 mm, 4 mm], [10 mm, 10 mm]], " BOLTS, "",
-         "scene.yaml:4: bolts 1 and 3 are at one place, their holes in one another; correct either, coordinates count "
-         "from a corner"},
-        {"shape: {bolts: [[10 mm, 10 mm], [15.4 mm, 10 mm]], " BOLTS, "", "bolts 1 and 2 are at one place"},
+         "scene.yaml:4: the holes of bolts 1 and 3 overlap; correct either, coordinates count from a corner"},
+        {"shape: {bolts: [[10 mm, 10 mm], [15.4 mm, 10 mm]], " BOLTS, "", "the holes of bolts 1 and 2 overlap"},
         {"shape: {bolts: [], " BOLTS, "", "'bolts' lists 0 places; give 1 to 1000, as [[10 mm, 10 mm]]"},
     };
     for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {

@@ -14,7 +14,7 @@ static double *room(void)
 
 static void assert_value(const struct parameters *parameters, const char *name, double expected, double atol)
 {
-    double value = parameters_value(parameters, name);
+    double value = parameter_named(parameters, name);
     if (!(fabs(value - expected) <= atol))
         print_error("%c%s\n", parameters->letter, name);
     assert_within(value, expected, atol);
@@ -68,7 +68,7 @@ TEST_CASE(test_slope_formula)
     struct parameters p = parameters_compute('P', z, 40, 0.05, 1);
     assert_value(&p, "dq", sqrt(sum / 34), 1e-12);
     p = parameters_compute('P', z, 6, 0.05, 1);
-    assert_true(isnan(parameters_value(&p, "dq")));
+    assert_true(isnan(parameter_named(&p, "dq")));
 }
 
 /* Five parts with waves of 1, 2, 3, 4, 5 um: p, v, z, a, q are means, t is the tallest part's. */
@@ -105,7 +105,7 @@ TEST_CASE(test_profile_elements)
     for (size_t i = 0; i < POINTS; i++)
         z[i] = 1e-6 + 1e-9 * (double)i; /* never below the line */
     p = parameters_compute('P', z, POINTS, 1e-6, 1);
-    assert_true(isnan(parameters_value(&p, "sm")));
+    assert_true(isnan(parameter_named(&p, "sm")));
 }
 
 TEST_CASE(test_sampling_lengths_that_fit)

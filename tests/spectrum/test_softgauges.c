@@ -42,7 +42,7 @@ TEST_CASE(softgauges_measure_as_printed)
     for (size_t row = 0; row < table.rows; row++) {
         const char *gauge = table_text(&table, row, "gauge"), *name = table_text(&table, row, "parameter");
         double expected = table_number(&table, row, "expected"), tolerance = table_number(&table, row, "tolerance");
-        double value = parameters_value(strcmp(gauge, "sine") == 0 ? &sine : &triangle, name);
+        double value = parameter_named(strcmp(gauge, "sine") == 0 ? &sine : &triangle, name);
         if (!(fabs(value - expected) <= tolerance * expected))
             fail_msg("%s, P%s: %.17g, not %.17g", gauge, name, value, expected);
     }
