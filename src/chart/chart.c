@@ -72,7 +72,8 @@ struct chart_panel *chart_panel(struct chart *chart, const char *title, const ch
     if (chart->panels == CHART_PANELS)
         drop_panel(chart);
     struct chart_panel *panel = &chart->panel[chart->panels++];
-    *panel = (struct chart_panel){.number = chart->number,
+    *panel = (struct chart_panel){.unit = {1, 1},
+                                  .number = chart->number,
                                   .log_x = log_x,
                                   .log_y = log_y,
                                   .x = nothing,
@@ -109,8 +110,9 @@ void chart_curve(struct chart *chart, const struct chart_curve *curve)
 void chart_row(struct chart *chart, double x, double y, double from, double to)
 {
     const struct chart_panel *panel = last(chart);
-    const double cell[] = {x, y, from, to};
     bool across = chart->curve.kind == CHART_DOTS;
+    const double other = panel->unit[!across];
+    const double cell[] = {x / panel->unit[0], y / panel->unit[1], from / other, to / other};
     for (size_t c = 0; c < kinds[chart->curve.kind].columns; c++)
         if (!isfinite(cell[c]) || (cell[c] <= 0 && (c == 0 || (across && c > 1) ? panel->log_x : panel->log_y)))
             return;
@@ -162,6 +164,7 @@ void chart_mark(struct chart *chart, bool vertical, double at, const char *name)
 {
     struct chart_panel *panel = last(chart);
     chart_end(chart);
+    at /= panel->unit[!vertical];
     if (!isfinite(at) || (at <= 0 && (vertical ? panel->log_x : panel->log_y)))
         return;
     json_array_append_new(panel->marks, json_pack("{sb sf so}", vertical ? "vertical" : "horizontal", 1, "at", at,

@@ -37,6 +37,7 @@ struct chart_panel {
     char title[CHART_TEXT], x_label[CHART_TEXT], y_label[CHART_TEXT];
     bool log_x, log_y;
     bool alone;                     /* its axes are its own where the others share theirs */
+    double unit[2];                 /* x's, y's: one of what the axis has, in what rows and marks are given in */
     int number;                     /* as the chart's, when it was begun */
     struct chart_extent x, y;       /* of the data; grown by curves */
     struct chart_extent y_most;     /* what is beyond is cut off; low > high: nothing */

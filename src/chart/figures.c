@@ -3,6 +3,7 @@
 
 #include "answers/direct_study.h"
 #include "base/number_format.h"
+#include "base/unit.h"
 #include "chart/chart.h"
 #include "joint/heating.h"
 #include "results/accuracy.h"
@@ -466,6 +467,24 @@ static void make_models(struct chart *chart, const struct source *source)
 
 /* ---- The surfaces ---- */
 
+/** One of the unit in brackets that a label ends in, in SI. */
+static double label_unit(const char *label)
+{
+    const char *open = strpbrk(label, "([");
+    struct unit unit;
+    return open && unit_read(&unit, open + 1, strcspn(open + 1, ")]")) ? unit.factor : 1;
+}
+
+/** Begins a panel that is given numbers in SI, and draws them in the units of its labels. */
+static struct chart_panel *panel_in_SI(struct chart *chart, const char *title, const char *x_label, const char *y_label,
+                                       bool logarithmic)
+{
+    struct chart_panel *panel = chart_panel(chart, title, x_label, y_label, logarithmic, logarithmic);
+    panel->unit[0] = label_unit(x_label);
+    panel->unit[1] = label_unit(y_label);
+    return panel;
+}
+
 /** Bins of the spectrum that the law was, or was not, fitted to. */
 static void put_bins(struct chart *chart, const struct power_law_band *band, bool used)
 {
@@ -474,8 +493,7 @@ static void put_bins(struct chart *chart, const struct power_law_band *band, boo
     for (size_t j = 0; j < band->bins; j++) {
         double s = sqrt(band->bin[j].variance), y = band->bin[j].y;
         if ((band->use[j] == POWER_LAW_BAND_USED) == used)
-            chart_row(chart, pow(10, band->bin[j].x) * 1e6, pow(10, y) * 1e6, pow(10, y - s) * 1e6,
-                      pow(10, y + s) * 1e6);
+            chart_row(chart, pow(10, band->bin[j].x), pow(10, y), pow(10, y - s), pow(10, y + s));
     }
 }
 
@@ -483,12 +501,12 @@ static void put_profile(struct chart *chart, const struct source *source, const 
                         const char *name, const char *colour)
 {
     const double rq_um = record->summary.roughness.rq_m * 1e6;
-    chart_panel(chart, SAY("panel.profile\nrq %.3g\nsurface\t%s", rq_um, short_name(source, name)),
-                SAY("axis.position"), SAY("axis.height"), false, false)
+    panel_in_SI(chart, SAY("panel.profile\nrq %.3g\nsurface\t%s", rq_um, short_name(source, name)),
+                SAY("axis.position"), SAY("axis.height"), false)
         ->alone = true;
     CURVE(.legend = "", .width = 1, .colour = colour);
     for (size_t i = 0; i < record->preview_points; i++)
-        chart_row(chart, record->preview_x_m[i] * 1e3, record->preview_z_m[i] * 1e6, 0, 0);
+        chart_row(chart, record->preview_x_m[i], record->preview_z_m[i], 0, 0);
 }
 
 static void put_spectrum(struct chart *chart, const struct source *source, const struct surface_record *record,
@@ -497,23 +515,23 @@ static void put_spectrum(struct chart *chart, const struct source *source, const
     enum { MOST = 300 };
     const struct power_law *law = &record->summary.power_law;
     size_t index[MOST], count = results_sweep_scales(index, MOST, record->spectrum.count);
-    chart_panel(chart,
+    panel_in_SI(chart,
                 isfinite(law->gamma) ? SAY("panel.spectrum\ngamma %.2f\nerror %.2f", law->gamma, law->gamma_error)
                                      : SAY("panel.no_law"),
-                SAY("axis.wavelength"), SAY("axis.amplitude"), true, true);
+                SAY("axis.wavelength"), SAY("axis.amplitude"), true);
     CURVE(.legend = "", .width = 0.8, .colour = colour);
     for (size_t i = 0; i < count; i++)
-        chart_row(chart, 1e6 / spectrum_frequency(&record->spectrum, index[i]),
-                  record->spectrum.amplitude_m[index[i]] * 1e6, 0, 0);
+        chart_row(chart, 1 / spectrum_frequency(&record->spectrum, index[i]), record->spectrum.amplitude_m[index[i]], 0,
+                  0);
     if (record->band && record->band->bins > 0) {
         put_bins(chart, record->band, true);
         put_bins(chart, record->band, false);
     }
     CURVE(.legend = "", .colour = ink, .width = 2.4, .notes = NOTE(FIGURE_LAW));
     for (int i = 0; i < 2; i++)
-        chart_row(chart, law->band_m[i] * 1e6, power_law_amplitude(law, law->band_m[i]) * 1e6, 0, 0);
+        chart_row(chart, law->band_m[i], power_law_amplitude(law, law->band_m[i]), 0, 0);
     for (size_t i = 0; record->band && i + 1 < record->band->pieces; i++) {
-        chart_mark(chart, true, record->band->knee_m[i] * 1e6, "");
+        chart_mark(chart, true, record->band->knee_m[i], "");
         chart->notes |= NOTE(FIGURE_KNEES);
     }
 }
@@ -685,11 +703,11 @@ static void put_shape(struct chart *chart, const struct source *source)
     }
     if (!(shape->ring_Pa[JOINT_RINGS / 2] > 0))
         return;
-    chart_panel(chart, SAY("panel.rings"), SAY("axis.rings"), SAY("axis.ring_pressure"), false, false);
+    panel_in_SI(chart, SAY("panel.rings"), SAY("axis.rings"), SAY("axis.ring_pressure"), false);
     CURVE(.legend = "", .colour = baseline_colour(source), .width = 2);
     for (int ring = 0; ring < JOINT_RINGS; ring++)
         if (shape->ring_Pa[ring] > 0)
-            chart_row(chart, (ring + 0.5) * ring_m * 1e3, shape->ring_Pa[ring] * 1e-6, 0, 0);
+            chart_row(chart, (ring + 0.5) * ring_m, shape->ring_Pa[ring], 0, 0);
 }
 
 static void make_joint(struct chart *chart, const struct source *source)

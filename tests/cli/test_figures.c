@@ -191,6 +191,46 @@ static size_t times(const char *text, const char *part)
     return count;
 }
 
+/** Most of the first and second numbers of the `index`th block of a chart. */
+static void block_most(double out[2], const char *data, int index)
+{
+    out[0] = out[1] = 0;
+    for (; index > 0; index--)
+        data = strstr(data, "\n\n\n") + 3;
+    for (data = strchr(data, '\n') + 1; *data && *data != '\n'; data = strchr(data, '\n') + 1) {
+        double x, y;
+        assert_int_equal(sscanf(data, "%lf,%lf", &x, &y), 2);
+        out[0] = fmax(out[0], x);
+        out[1] = fmax(out[1], y);
+    }
+}
+
+/* What a panel draws is in the units of its labels: profile and spectrum are what data/ has in SI. */
+TEST_IN_WORKSPACE(panels_are_in_the_units_of_their_labels)
+{
+    run_to_exit(place, 0, "synth", "--points", "400", "--length", "0.4mm", "-o", "s.csv");
+    workspace_shell(place, "mkdir -p d; mv s.csv d");
+    run_to_exit(place, 0, "report", "d", "-m", "tin", "-o", "out", "--no-cost");
+    char *data = file_of(place, "out", "surfaces", "csv"), *script = file_of(place, "out", "surfaces", "gp");
+    struct table spectrum = workspace_table(place, "out/data/spectrum.csv"), scan = workspace_table(place, "d/s.csv");
+    double most[2] = {0, 0}, drawn[2], high = 0;
+    for (size_t r = 0; r < spectrum.rows; r++) {
+        most[0] = fmax(most[0], table_number(&spectrum, r, "wavelength_m"));
+        most[1] = fmax(most[1], table_number(&spectrum, r, "amplitude_m"));
+    }
+    for (size_t r = 0; r < scan.rows; r++)
+        high = fmax(high, strtod(scan.cell[(r + 1) * scan.columns + 1], NULL)); /* um */
+    expect_parts(script, "position (mm)", "height (µm)", "wavelength (µm)", "amplitude (µm)");
+    block_most(drawn, data, 0);
+    assert_near(drawn[0], 0.399, 0.01);
+    assert_near(drawn[1], high, 0.1); /* level */
+    block_most(drawn, data, 1);
+    assert_near(drawn[0], most[0] * 1e6, 1e-6);
+    assert_near(drawn[1], most[1] * 1e6, 1e-6);
+    block_most(drawn, data, 2); /* the bins of the fit */
+    assert_true(drawn[0] < most[0] * 1e6 && drawn[0] > most[0] * 1e5);
+}
+
 /** The numbers of a chart's block, a row of four: of the `index`th. */
 static void block_numbers(double out[4], const char *data, int index)
 {
