@@ -12,6 +12,7 @@
 #include "members/tiles.h"
 #include "members/variants.h"
 #include "scene/plan.h"
+#include "spectrum/areal.h"
 #include "spectrum/power_law_scans.h"
 
 enum {
@@ -63,10 +64,12 @@ struct surface_summary {
     double spacing_m, length_m;
     struct roughness roughness;
     struct asperities asperities;
-    bool has_asperities; /* a statistical model exists */
-    double between_m2;   /* what Sq² of maps has over their rows' mean square height; 0: profiles */
-    struct cmy rough;    /* what handbooks ask: Rq (of maps Sq), and the surface's mean slope, of a lay as across it and
-                            along it together */
+    bool has_asperities;                     /* a statistical model exists */
+    struct areal_parameters measured, taken; /* means of its maps, as measured and after the low-pass */
+    size_t maps;                             /* 0: profiles */
+    double between_m2; /* what Sq² of maps has over their rows' mean square height; 0: profiles */
+    struct cmy rough;  /* what handbooks ask: Rq (of maps Sq), and the surface's mean slope, of a lay as across it and
+                          along it together */
     struct power_law power_law;
     struct power_law line;        /* the thesis's, through all harmonics of fit_band, whatever `fit` */
     double independent;           /* scans averaged; rows of a map count less */

@@ -21,6 +21,12 @@ const struct record_field surface_fields[] = {
     SURFACE(NUMBER, "m0_m2", roughness.m0_m2, ALWAYS),
     SURFACE(NUMBER, "m2", roughness.m2, ALWAYS),
     SURFACE(NUMBER, "m4_per_m2", roughness.m4_per_m2, ALWAYS),
+    SURFACE(NUMBER, "sq_m", measured.sq_m, JSON | RECORD_MAPS),
+    SURFACE(NUMBER, "sa_m", measured.sa_m, JSON | RECORD_MAPS),
+    SURFACE(NUMBER, "sz_m", measured.sz_m, JSON | RECORD_MAPS),
+    SURFACE(NUMBER, "ssk", measured.ssk, JSON | RECORD_MAPS),
+    SURFACE(NUMBER, "sku", measured.sku, JSON | RECORD_MAPS),
+    SURFACE(NUMBER, "sdq", measured.sdq, JSON | RECORD_MAPS),
     SURFACE(NUMBER, "sigma_m", rough.sigma_m, JSON),
     SURFACE(NUMBER, "mean_slope", rough.slope, JSON),
     SURFACE(NUMBER, "nayak", asperities.nayak, ALWAYS),
@@ -217,7 +223,10 @@ static void fill_surface(struct table *table, const struct results *results, siz
         text_add(&files, "%s%s", f > 0 ? ";" : "", s->scene->files.path[f]);
     put_text(table, "surface", s->scene->name);
     put_text(table, "files", text_string(&files));
-    put_fields(table, surface_fields, s, plan_uses_asperities(plan) ? RECORD_ASPERITIES : 0);
+    unsigned when = plan_uses_asperities(plan) ? RECORD_ASPERITIES : 0;
+    for (size_t i = 0; i < results->surface_count; i++)
+        when |= results->surfaces[i].summary.maps > 0 ? RECORD_MAPS : 0;
+    put_fields(table, surface_fields, s, when);
     put_number(table, "heights_factor_ecr", comparison_heights_factor(results, index, QUANTITY_ECR));
     for (size_t m = 0; m < model_count; m++)
         if (plan_runs_model(plan, m) && (model_rows[m]->quantities & QUANTITY_BIT(QUANTITY_ADJUSTED)))

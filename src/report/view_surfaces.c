@@ -57,6 +57,19 @@ static void put_constants(json_t *row, const struct view_source *source, size_t 
     put_plain(row, "tcc_W_per_mm2K", (isfinite(joint) ? joint : spots) * 1e-6);
 }
 
+/** Of a map over its plane, as it was measured. */
+static void put_map(json_t *row, const struct surface_summary *s)
+{
+    const struct areal_parameters *of = &s->measured;
+    view_flag(row, "map", s->maps > 0);
+    view_number(row, "sq_um", of->sq_m * 1e6, 3, "");
+    view_number(row, "sa_um", of->sa_m * 1e6, 3, "");
+    view_number(row, "sz_um", of->sz_m * 1e6, 3, "");
+    view_number(row, "ssk", of->ssk, 2, "");
+    view_number(row, "sku", of->sku, 2, "");
+    view_number(row, "sdq", of->sdq, 2, "");
+}
+
 static void put_surface(json_t *row, const struct view_source *source, size_t surface)
 {
     const struct surface_summary *s = view_summary(source, surface);
@@ -65,6 +78,7 @@ static void put_surface(json_t *row, const struct view_source *source, size_t su
     view_text(row, "surface", view_name(source, surface));
     view_number(row, "rq_um", s->roughness.rq_m * 1e6, 3, "");
     view_number(row, "ra_um", s->roughness.ra_m * 1e6, 3, "");
+    put_map(row, s);
     view_number(row, "length_mm", s->length_m * 1e3, 3, "");
     view_number(row, "spacing_um", s->spacing_m * 1e6, 3, "");
     view_count(row, "scans", s->scans);
@@ -173,13 +187,14 @@ void view_surfaces(json_t *out, const struct view_source *source)
     const struct scene *scene = results->scene;
     json_t *item = view_part(out, "surfaces"), *rows = view_list(item, "rows");
     view_flag(item, "gaps", plan_quantities(source->results->plan) & QUANTITY_BIT(QUANTITY_JOINT));
-    size_t scans = 0, of_maps = 0, periodic = 0, windowed = 0, lawless = 0, last_lawless = 0;
+    size_t scans = 0, maps = 0, of_maps = 0, periodic = 0, windowed = 0, lawless = 0, last_lawless = 0;
     bool has_heights = false;
     for (size_t i = 0; i < results->surface_count; i++) {
         const struct surface_summary *s = view_summary(source, i);
         if (!s->usable)
             continue;
         scans += s->scans;
+        maps += s->maps;
         of_maps += s->repeats.count > 0 && s->repeats.scans == 1 ? s->scans : 0;
         periodic += s->periodic;
         windowed += s->windowed;
@@ -191,6 +206,8 @@ void view_surfaces(json_t *out, const struct view_source *source)
             put_surface(view_item(rows), source, i);
     }
     view_flag(item, "has_heights", has_heights);
+    view_flag(item, "has_maps", maps > 0);
+    view_flag(item, "high_passed", scene->lambda_c_m > 0);
     view_flag(item, "has_bands", scene->fit != POWER_LAW_THESIS);
     if (scene->fit_band_m[0] > 0 || isfinite(scene->fit_band_m[1]))
         view_range(item, "fit_band_um", scene->fit_band_m[0] * 1e6, scene->fit_band_m[1] * 1e6, 3, "µm");

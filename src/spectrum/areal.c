@@ -40,41 +40,83 @@ static enum status_code fit_plane(struct plane *out, const struct scan *scan, st
     return STATUS_OK;
 }
 
-/** Error: STATUS_SCAN: a flat map, but for what taking the plane out rounds. */
-static enum status_code measure_heights(struct areal *out, const struct scan *scan, const double *flat_m,
-                                        struct status *status)
-{
-    const struct roughness over_plane = roughness_of_heights_alone(flat_m, scan->nx * scan->ny);
-    double most = -INFINITY, least = INFINITY;
-    for (size_t i = 0; i < scan->nx * scan->ny; i++) {
-        most = fmax(most, scan->z_m[i]);
-        least = fmin(least, scan->z_m[i]);
-    }
-    out->sq_m = over_plane.rq_m;
-    out->sa_m = over_plane.ra_m;
-    out->sz_m = over_plane.pv_m;
-    if (most == least)
-        return status_fail(status, STATUS_SCAN, "the map is flat: every height is %.9g m; check the column", most);
-    if (out->sz_m <= 32 * DBL_EPSILON * (fabs(most) + most - least))
-        return status_fail(status, STATUS_SCAN, "the map is flat: no roughness is left over its plane");
-    return STATUS_OK;
-}
-
-/** Mean over rows of something that not every row has. */
-struct row_mean {
+/** Mean of something that not every row, or point, has. */
+struct areal_mean {
     double value;
     size_t count;
 };
 
-static void join(struct row_mean *mean, double value)
+static void join(struct areal_mean *mean, double value)
 {
     if (!isnan(value))
         mean->value += (value - mean->value) / (double)++mean->count;
 }
 
+/** Mean square slope along lines of `all` points that are `step` apart. */
+static double mean_square_slope(const double *flat_m, size_t count, size_t step, size_t all, double spacing_m)
+{
+    double sum = 0, slopes = 0;
+    for (size_t i = step; i + step < count; i++) {
+        double slope = (flat_m[i + step] - flat_m[i - step]) / (2 * spacing_m);
+        if (isnan(slope) || i / step % all == 0 || i / step % all == all - 1)
+            continue;
+        sum += slope * slope;
+        slopes++;
+    }
+    return sum / slopes;
+}
+
+enum status_code areal_parameters_of(struct areal_parameters *out, const struct scan *scan, struct status *status)
+{
+    const size_t count = scan->nx * scan->ny;
+    double *flat_m = malloc(count * sizeof *flat_m);
+    if (!flat_m)
+        return status_memory(status);
+    if (areal_flatten(flat_m, scan, status) == STATUS_OK) {
+        const struct roughness heights = roughness_of_heights_alone(flat_m, count);
+        *out = (struct areal_parameters){
+            heights.rq_m,
+            heights.ra_m,
+            heights.pv_m,
+            roughness_skewness(&heights),
+            roughness_kurtosis(&heights),
+            sqrt(mean_square_slope(flat_m, count, 1, scan->nx, scan->dx_m) +
+                 mean_square_slope(flat_m, count, scan->nx, scan->ny, scan->dy_m)),
+        };
+    }
+    free(flat_m);
+    return status->code;
+}
+
+void areal_parameters_average(struct areal_parameters *mean, const struct areal_parameters *other, size_t so_far)
+{
+    const double own = 1 / ((double)so_far + 1), rest = 1 - own;
+    *mean = (struct areal_parameters){sqrt(rest * mean->sq_m * mean->sq_m + own * other->sq_m * other->sq_m),
+                                      rest * mean->sa_m + own * other->sa_m,
+                                      rest * mean->sz_m + own * other->sz_m,
+                                      rest * mean->ssk + own * other->ssk,
+                                      rest * mean->sku + own * other->sku,
+                                      sqrt(rest * mean->sdq * mean->sdq + own * other->sdq * other->sdq)};
+}
+
+/** Error: STATUS_SCAN: a flat map, but for what taking the plane out rounds. */
+static enum status_code check_heights(const struct areal *areal, const struct scan *scan, struct status *status)
+{
+    double most = -INFINITY, least = INFINITY;
+    for (size_t i = 0; i < scan->nx * scan->ny; i++) {
+        most = fmax(most, scan->z_m[i]);
+        least = fmin(least, scan->z_m[i]);
+    }
+    if (most == least)
+        return status_fail(status, STATUS_SCAN, "the map is flat: every height is %.9g m; check the column", most);
+    if (areal->surface.sz_m <= 32 * DBL_EPSILON * (fabs(most) + most - least))
+        return status_fail(status, STATUS_SCAN, "the map is flat: no roughness is left over its plane");
+    return STATUS_OK;
+}
+
 /** Figures of the rows so far, and room for the one that is being looked at. */
 struct rows {
-    struct row_mean m0, ra, m2, m4;
+    struct areal_mean m0, ra, m2, m4;
     double pv_m;
     double *x_m, *z_m; /* nx each: the points that are there */
 };
@@ -134,13 +176,7 @@ static enum status_code add_spectrum(struct areal *out, const struct scan *scan,
 enum status_code areal_compute(struct areal *out, const struct scan *scan, struct status *status)
 {
     *out = (struct areal){0};
-    double *flat_m = malloc(scan->nx * scan->ny * sizeof *flat_m);
-    if (!flat_m)
-        return status_memory(status);
-    if (areal_flatten(flat_m, scan, status) == STATUS_OK)
-        (void)measure_heights(out, scan, flat_m, status);
-    free(flat_m);
-    if (status->code != STATUS_OK)
+    if (areal_parameters_of(&out->surface, scan, status) != STATUS_OK || check_heights(out, scan, status) != STATUS_OK)
         return status->code;
     struct rows rows = {.x_m = malloc(2 * scan->nx * sizeof *rows.x_m)};
     if (!rows.x_m)
