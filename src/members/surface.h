@@ -6,6 +6,7 @@
 #include "contact/strip.h"
 #include "joint/joint.h"
 #include "members/curve_summary.h"
+#include "members/map_contact.h"
 #include "members/note.h"
 #include "members/repeats.h"
 #include "members/scan_strips.h"
@@ -106,6 +107,7 @@ struct surface_record {
     struct ensemble ensemble;    /* scans to be run alone, until they have been; count 0: there is one */
     struct strips strips;        /* of its scans, where a model uses them; rows 0: none */
     struct tiles tiles;          /* of its one map, where a model uses it */
+    struct map_contact contact;  /* of that at the operating load; cells 0: not looked at */
     double *height_m; /* of the one scan, summary.single_points long, until the models have run; NULL: not kept */
     const struct surface_record *counterface; /* the rough one; NULL: smooth. Not owned */
     struct model_curve *curves;               /* model_count of them, NULL before any model ran */

@@ -245,3 +245,44 @@ TEST_IN_DIRECTORY(parameters_of_the_surface)
     run_scene(place, "high", "models: [multiscale]\nlambda_c: 50 um\nsurfaces: [" MAP("line") "]\n");
     expect_in_file(place, "high/report.md", "Rq, Ra: of the whole scan after `lambda_c`");
 }
+
+/** The picture of a map has its share in contact and its spots in words; the spots carry the load of the map's area,
+ * and their areas are the picture's. Names may be anything; the first page alone, and profiles, have none of it. */
+TEST_IN_DIRECTORY(pictures_and_spots)
+{
+    write_map(place, "in/a.csv", 1, 1);
+    write_map(place, "in/b.csv", 2, 1);
+    pipeline_rough(place, "in/line.csv", 400, 1, 1);
+    static const char scene[] = MATERIAL
+        "operating_load: 1e-3\nsurfaces: [{name: \"a'/]]><\", file: a.csv}, {name: \"a''/]]><\", file: b.csv}]\n";
+    run_scene(place, "out", scene);
+    expect_in_file(place, "out/report.md", " % in contact, in ", " % of that has yielded (at the hardness)",
+                   "](figures/map-a------.svg)", "](figures/map-a-------.svg)");
+    expect_in_file(place, "out/figures/map-a------.svg", "<image", "data:image/png;base64,", "in contact");
+    struct table spots = directory_table(place, "out/data/contact_spots.csv");
+    json_t *results = support_json(directory_read(place, "out/results.json"));
+    const double modulus_Pa =
+        json_number_value(json_object_get(json_object_get(results, "scene"), "effective_modulus_Pa"));
+    double sum_N[2] = {0}, area_m2[2] = {0};
+    for (size_t r = 0; r < spots.rows; r++) {
+        const int b = strlen(table_text(&spots, r, "surface")) > strlen("a'/]]><");
+        sum_N[b] += table_number(&spots, r, "load_N");
+        area_m2[b] += table_number(&spots, r, "area_m2");
+        assert_in_range(table_number(&spots, r, "x_m") * 1e9, 0, SIDE * 1000);
+        assert_in_range(table_number(&spots, r, "y_m") * 1e9, 0, SIDE * 1000);
+    }
+    for (int b = 0; b < 2; b++) {
+        assert_near(sum_N[b], 1e-3 * modulus_Pa * SIDE * SIDE * 1e-12, 1e-3);
+        assert_true(area_m2[b] > 1e-3 * SIDE * SIDE * 1e-12 && area_m2[b] < 0.3 * SIDE * SIDE * 1e-12);
+    }
+    struct run_outcome outcome;
+    struct status status = {0};
+    assert_int_equal(pipeline_into(&outcome, place, "in", "brief", (struct run_options){.brief = true}, &status),
+                     STATUS_OK);
+    run_outcome_free(&outcome);
+    assert_false(directory_has(place, "brief/data/contact_spots.csv"));
+    assert_false(directory_has(place, "brief/figures/map-a------.svg"));
+    run_scene(place, "lines", "material: bronze\nsurfaces: [" MAP("line") "]\n");
+    expect_not_in_file(place, "lines/report.md", "figures/map", "in contact, in");
+    assert_false(directory_has(place, "lines/data/contact_spots.csv"));
+}
