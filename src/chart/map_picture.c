@@ -27,7 +27,7 @@ enum status_code map_picture_write(const struct map_contact *contact, const stru
     struct text script = {0}, data = {0};
     for (int block = 0; block < 2; block++, text_add(&data, "\n\n"))
         for (size_t k = 0; k < cells * cells; k++)
-            text_add(&data, block == 0 ? "%.4g%s" : "%.0f%s",
+            text_add(&data, block == 0 ? "%.3g%s" : "%.0f%s",
                      block == 0 ? contact->height_m[k] * micro : (double)contact->is[k], (k + 1) % cells ? "," : "\n");
     for (size_t i = 0; i < contact->points; i++)
         text_add(&data, "%.6g,%.6g\n", (double)i * contact->spacing_m * length, contact->pressure[i] * stress);
