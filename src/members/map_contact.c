@@ -47,27 +47,21 @@ static struct map_spot take_spot(struct field *field, size_t k)
                 field->at[count++] = (uint32_t)beside[b];
             }
     }
-    const double side = (double)n, across[2] = {first_x + x / (double)count, first_y + y / (double)count};
     out.area_m2 = (double)count * dx_m * dx_m;
-    out.x_m = (across[0] - (closes ? side * floor(across[0] / side) : 0)) * dx_m;
-    out.y_m = (across[1] - (closes ? side * floor(across[1] / side) : 0)) * dx_m;
+    out.x_m = fmod(first_x + x / (double)count + (double)n, (double)n) * dx_m;
+    out.y_m = fmod(first_y + y / (double)count + (double)n, (double)n) * dx_m;
     return out;
 }
 
-static enum status_code take_spots(struct map_contact *out, struct field *field, struct status *status)
+static enum status_code take_spots(struct map_contact *out, struct field *field, size_t touching, struct status *status)
 {
-    size_t room = 0;
+    out->spots = malloc((touching < MAP_CONTACT_SPOTS ? touching : MAP_CONTACT_SPOTS) * sizeof *out->spots + 1);
+    if (!out->spots)
+        return status_memory(status);
     for (size_t k = 0; k < field->n * field->n; k++) {
         if (!field->left[k])
             continue;
         struct map_spot spot = take_spot(field, k);
-        if (out->spot_count == room && room < MAP_CONTACT_SPOTS) {
-            room = room > 0 ? 2 * room : 64;
-            struct map_spot *more = reallocarray(out->spots, room, sizeof *more);
-            if (!more)
-                return status_memory(status);
-            out->spots = more;
-        }
         spot.x_m += out->from_m[0];
         spot.y_m += out->from_m[1];
         if (out->spot_count++ < MAP_CONTACT_SPOTS)
@@ -119,7 +113,7 @@ static enum status_code look(struct map_contact *out, const struct direct_map *m
     out->section_m = (double)section * out->spacing_m;
     out->flowed = touching > 0 ? (double)flowing / (double)touching : 0;
     out->cells = cells;
-    return take_spots(out, field, status);
+    return take_spots(out, field, touching, status);
 }
 
 static enum status_code solve(struct map_contact *out, const struct direct_map *map,

@@ -65,9 +65,9 @@ struct surface_summary {
     double spacing_m, length_m;
     struct roughness roughness;
     struct asperities asperities;
-    bool has_asperities;                     /* a statistical model exists */
-    struct areal_parameters measured, taken; /* means of its maps, as measured and after the low-pass */
-    size_t maps;                             /* 0: profiles */
+    bool has_asperities;              /* a statistical model exists */
+    struct areal_parameters measured; /* of its first map, before any low-pass */
+    bool has_map;
     double between_m2; /* what Sq² of maps has over their rows' mean square height; 0: profiles */
     struct cmy rough;  /* what handbooks ask: Rq (of maps Sq), and the surface's mean slope, of a lay as across it and
                           along it together */

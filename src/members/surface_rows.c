@@ -309,8 +309,8 @@ enum status_code surface_rows_add(const struct surface_scans *task, struct scan 
     }
     summary->cutoff_m = cutoff_m;
     if (areal) {
-        areal_parameters_average(&summary->measured, &of[0], summary->maps);
-        areal_parameters_average(&summary->taken, &of[1], summary->maps++);
+        summary->measured = summary->has_map ? summary->measured : of[0];
+        summary->has_map = true;
         if (scene->level == LEVEL_LINE && !(scene->lambda_c_m > 0)) /* else rows have more taken out than a plane */
             sq_m2 = of[1].sq_m * of[1].sq_m;
     }

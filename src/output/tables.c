@@ -225,7 +225,7 @@ static void fill_surface(struct table *table, const struct results *results, siz
     put_text(table, "files", text_string(&files));
     unsigned when = plan_uses_asperities(plan) ? RECORD_ASPERITIES : 0;
     for (size_t i = 0; i < results->surface_count; i++)
-        when |= results->surfaces[i].summary.maps > 0 ? RECORD_MAPS : 0;
+        when |= results->surfaces[i].summary.has_map ? RECORD_MAPS : 0;
     put_fields(table, surface_fields, s, when);
     put_number(table, "heights_factor_ecr", comparison_heights_factor(results, index, QUANTITY_ECR));
     for (size_t m = 0; m < model_count; m++)

@@ -61,7 +61,7 @@ static void put_constants(json_t *row, const struct view_source *source, size_t 
 static void put_map(json_t *row, const struct surface_summary *s)
 {
     const struct areal_parameters *of = &s->measured;
-    view_flag(row, "map", s->maps > 0);
+    view_flag(row, "map", s->has_map);
     view_number(row, "sq_um", of->sq_m * 1e6, 3, "");
     view_number(row, "sa_um", of->sa_m * 1e6, 3, "");
     view_number(row, "sz_um", of->sz_m * 1e6, 3, "");
@@ -187,14 +187,14 @@ void view_surfaces(json_t *out, const struct view_source *source)
     const struct scene *scene = results->scene;
     json_t *item = view_part(out, "surfaces"), *rows = view_list(item, "rows");
     view_flag(item, "gaps", plan_quantities(source->results->plan) & QUANTITY_BIT(QUANTITY_JOINT));
-    size_t scans = 0, maps = 0, of_maps = 0, periodic = 0, windowed = 0, lawless = 0, last_lawless = 0;
-    bool has_heights = false;
+    size_t scans = 0, of_maps = 0, periodic = 0, windowed = 0, lawless = 0, last_lawless = 0;
+    bool has_heights = false, has_maps = false;
     for (size_t i = 0; i < results->surface_count; i++) {
         const struct surface_summary *s = view_summary(source, i);
         if (!s->usable)
             continue;
         scans += s->scans;
-        maps += s->maps;
+        has_maps = has_maps || s->has_map;
         of_maps += s->repeats.count > 0 && s->repeats.scans == 1 ? s->scans : 0;
         periodic += s->periodic;
         windowed += s->windowed;
@@ -206,7 +206,7 @@ void view_surfaces(json_t *out, const struct view_source *source)
             put_surface(view_item(rows), source, i);
     }
     view_flag(item, "has_heights", has_heights);
-    view_flag(item, "has_maps", maps > 0);
+    view_flag(item, "has_maps", has_maps);
     view_flag(item, "high_passed", scene->lambda_c_m > 0);
     view_flag(item, "has_bands", scene->fit != POWER_LAW_THESIS);
     if (scene->fit_band_m[0] > 0 || isfinite(scene->fit_band_m[1]))

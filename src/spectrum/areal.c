@@ -40,18 +40,6 @@ static enum status_code fit_plane(struct plane *out, const struct scan *scan, st
     return STATUS_OK;
 }
 
-/** Mean of something that not every row, or point, has. */
-struct areal_mean {
-    double value;
-    size_t count;
-};
-
-static void join(struct areal_mean *mean, double value)
-{
-    if (!isnan(value))
-        mean->value += (value - mean->value) / (double)++mean->count;
-}
-
 /** Mean square slope along lines of `all` points that are `step` apart. */
 static double mean_square_slope(const double *flat_m, size_t count, size_t step, size_t all, double spacing_m)
 {
@@ -88,17 +76,6 @@ enum status_code areal_parameters_of(struct areal_parameters *out, const struct 
     return status->code;
 }
 
-void areal_parameters_average(struct areal_parameters *mean, const struct areal_parameters *other, size_t so_far)
-{
-    const double own = 1 / ((double)so_far + 1), rest = 1 - own;
-    *mean = (struct areal_parameters){sqrt(rest * mean->sq_m * mean->sq_m + own * other->sq_m * other->sq_m),
-                                      rest * mean->sa_m + own * other->sa_m,
-                                      rest * mean->sz_m + own * other->sz_m,
-                                      rest * mean->ssk + own * other->ssk,
-                                      rest * mean->sku + own * other->sku,
-                                      sqrt(rest * mean->sdq * mean->sdq + own * other->sdq * other->sdq)};
-}
-
 /** Error: STATUS_SCAN: a flat map, but for what taking the plane out rounds. */
 static enum status_code check_heights(const struct areal *areal, const struct scan *scan, struct status *status)
 {
@@ -114,9 +91,21 @@ static enum status_code check_heights(const struct areal *areal, const struct sc
     return STATUS_OK;
 }
 
+/** Mean over rows of something that not every row has. */
+struct row_mean {
+    double value;
+    size_t count;
+};
+
+static void join(struct row_mean *mean, double value)
+{
+    if (!isnan(value))
+        mean->value += (value - mean->value) / (double)++mean->count;
+}
+
 /** Figures of the rows so far, and room for the one that is being looked at. */
 struct rows {
-    struct areal_mean m0, ra, m2, m4;
+    struct row_mean m0, ra, m2, m4;
     double pv_m;
     double *x_m, *z_m; /* nx each: the points that are there */
 };

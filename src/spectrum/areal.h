@@ -33,8 +33,6 @@ MUST_CHECK enum status_code areal_flatten(double *height_m, const struct scan *s
 /** Error: the same; STATUS_MEMORY. */
 MUST_CHECK enum status_code areal_parameters_of(struct areal_parameters *out, const struct scan *scan,
                                                 struct status *status);
-/** Takes those of another map into the mean of `so_far`: of Sq and Sdq the mean square. */
-void areal_parameters_average(struct areal_parameters *mean, const struct areal_parameters *other, size_t so_far);
 void areal_free(struct areal *areal);
 
 #endif
