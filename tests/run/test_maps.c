@@ -226,7 +226,8 @@ TEST_IN_DIRECTORY(parameters_of_the_surface)
     run_scene(place, "maps", "models: [multiscale]\nsurfaces: [" MAP("w") ", " MAP("n") ", " MAP("line") "]\n");
     expect_in_file(place, "maps/report.md", "| surface | Sq (µm) | Rq (µm) |", "| 0.200 (Sq) |",
                    "\n| w | 0.200 | 0.200 |", "\n| n | 0.201 | 0.", "\n| line | – | 0.",
-                   "*w* over its plane (ISO 25178-2): Sq 0.200 µm, Sa 0.1", "low-passed at 6 um (Sq 0.201 → 0.1");
+                   "*w* over its plane (ISO 25178-2): Sq 0.200 µm, Sa 0.1",
+                   "low-passed at 6 um (Sq 0.201 → 0.165 um, slope 0.11 → 0.091)");
     expect_not_in_file(place, "maps/report.md", "*line* over its plane", "w.csv: a map, low-passed");
     struct table table = directory_table(place, "maps/data/surfaces.csv");
     assert_near(table_number(&table, 0, "sq_m"), 2e-7, 1e-6);
