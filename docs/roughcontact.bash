@@ -31,7 +31,7 @@ _roughcontact()
         options='--json --markdown --html'
         kind=directories ;;
     synth)
-        options='--alpha= -a --gamma= -g --rq= -r --length= -l --points= -n --scatter= -c --lambda-s= -s --seed= -d'
+        options='--alpha= -a --gamma= -g --rq= -r --length= -l --points= -n --scatter= -c --lambda-s= -s --map --seed= -d'
         options+=' --output= -o' ;;
     models | materials) options='--json' ;;
     esac

@@ -25,10 +25,13 @@ synth --lambda-s 2.5um --seed 23 --alpha 0.02 --gamma 1.35 --scatter 0.28 --leng
 synth --lambda-s 8um --seed 21 --alpha 0.03 --gamma 1.40 --rq 0.80um --scatter 0.28 --length 0.60mm --points 1200 -o thermal-interface/cold-plate.csv
 synth --lambda-s 8um --seed 22 --alpha 0.06 --gamma 1.40 --rq 1.60um --scatter 0.28 --length 0.60mm --points 1200 -o thermal-interface/heat-spreader.csv
 
-# what the README shows: the whole reports of two of them, and the first chart of the connector's
+# lapped-map: an areal map of a lapped face, 16 bits a height
+synth --map --seed 5 --points 256 --length 0.512mm --gamma 1.25 --lambda-s 20um --rq 0.25um -o lapped-map/lapped.sdf
+
+# what the README shows: the whole reports of three of them, and the first chart of the connector's
 made=$(mktemp -d)
 trap 'rm -r "$made"' EXIT
-for name in chapter6 connector; do
+for name in chapter6 connector lapped-map; do
     "${ROUGHCONTACT:-roughcontact}" report "$name" -o "$made/$name" >"$made/$name.txt"
     rm -rf "../docs/sample/$name"
     mkdir -p "../docs/sample/$name/figures"

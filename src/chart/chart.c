@@ -435,7 +435,7 @@ static json_t *panel_view(const struct chart *chart, const struct layout *layout
                      "mark_y", 1 - (top - 10) / layout->height, "y_label_x", (left - LABEL) / WIDTH);
 }
 
-static void escape_gnuplot(struct text *out, const char *string)
+void chart_escape(struct text *out, const char *string)
 {
     for (; *string; string++)
         if (*string == '\'')
@@ -466,7 +466,7 @@ enum status_code chart_script(struct text *out, struct chart *chart, struct must
     json_object_set_new(view, "size", json_string(terminal_size ? terminal_size : ""));
     enum status_code rc =
         !view ? status_memory(templates->status)
-              : mustache_file(out, templates, terminal_size ? "charts/letters" : "charts/panels", view, escape_gnuplot);
+              : mustache_file(out, templates, terminal_size ? "charts/letters" : "charts/panels", view, chart_escape);
     json_decref(view);
     return rc;
 }

@@ -76,6 +76,8 @@ void chart_end(struct chart *chart);
 void chart_mark(struct chart *chart, bool vertical, double at, const char *name);
 /** A name on the y axis of the panel begun last, in place of numbers. */
 void chart_name_row(struct chart *chart, double y, const char *name);
+/** As mustache_escape: what may stand between single quotes of a script. */
+void chart_escape(struct text *out, const char *string);
 /** Adds the script that draws the chart, of the folder of templates, for files *.gp: charts/panels.gp, or with
  * `terminal_size`, "columns,rows", letters.gp. Errors: of templates, STATUS_MEMORY. */
 MUST_CHECK enum status_code chart_script(struct text *out, struct chart *chart, struct mustache_folder *templates,

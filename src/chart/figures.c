@@ -5,6 +5,7 @@
 #include "base/number_format.h"
 #include "base/unit.h"
 #include "chart/chart.h"
+#include "chart/map_picture.h"
 #include "joint/heating.h"
 #include "results/accuracy.h"
 #include "results/asked.h"
@@ -855,7 +856,7 @@ static const struct figure_row {
     {"accuracy", false, false, make_accuracy},
 };
 enum { FIGURE_ROWS = sizeof figure_rows / sizeof *figure_rows };
-_Static_assert(FIGURE_ROWS + 2 * QUANTITY_COUNT <= FIGURES_MOST, "all figures have a place");
+_Static_assert(FIGURE_ROWS + FIGURES_MAPS + 2 * QUANTITY_COUNT <= FIGURES_MOST, "all figures have a place");
 
 /** Writes a chart's files and has gnuplot draw it, as letters too where it is one for a terminal. */
 static enum status_code draw_one(struct chart *chart, bool terminal, struct mustache_folder *templates,
@@ -892,6 +893,41 @@ static void put_numbers(char *out, size_t size, const struct chart *chart)
     }
 }
 
+/** The contact of the first maps that are shown, as many as a page can hold: map-NAME, what may be in a file's name of
+ * it, and a number where another one has that too. */
+static enum status_code draw_maps(struct figures *out, const struct source *source, const struct figures_task *task,
+                                  struct mustache_folder *templates, struct status *status)
+{
+    const struct results *results = source->results;
+    size_t maps = 0;
+    for (size_t k = 0; k < results->shown_count && maps < FIGURES_MAPS && status->code == STATUS_OK; k++) {
+        const struct surface_record *record = &results->surfaces[results->shown[k]];
+        const struct asked_load load = asked_load_of(results, results->shown[k]);
+        char *name = out->figure[out->count].name;
+        struct text at = {0}, directory = {0}, commands = {0};
+        if (record->contact.cells == 0)
+            continue;
+        map_picture_name(name, FIGURE_NAME, record->summary.scene->name);
+        for (size_t f = 0; f < out->count; f++)
+            if (strcmp(out->figure[f].name, name) == 0)
+                snprintf(name, FIGURE_NAME, "map-%zu", maps + 1);
+        maps++;
+        text_add(&at, "%s: ", record->summary.scene->name);
+        number_format(&at, load.scale * results_operating_load(results, results->shown[k]), 3);
+        text_add(&at, " %s", load.unit);
+        text_add(&directory, "%s/figures", task->directory);
+        text_add(&commands, "load '%s.gp'\n", name);
+        if (map_picture_write(&record->contact, &record->summary.pair, name, text_string(&at), templates,
+                              text_string(&directory)) == STATUS_OK)
+            gnuplot_send(task->gnuplot, text_string(&commands));
+        out->figure[out->count++].map = results->shown[k] + 1;
+        text_free(&at);
+        text_free(&directory);
+        text_free(&commands);
+    }
+    return status->code;
+}
+
 enum status_code figures_draw(struct figures *out, const struct results *results, const struct figures_task *task,
                               struct status *status)
 {
@@ -918,7 +954,7 @@ enum status_code figures_draw(struct figures *out, const struct results *results
         chart_end(&chart);
         bool terminal = row && row->terminal && task->terminal_size;
         if (chart.blocks > 0 && draw_one(&chart, terminal, &folder, task, status) == STATUS_OK) {
-            out->figure[out->count].name = row ? row->name : panel->file;
+            snprintf(out->figure[out->count].name, FIGURE_NAME, "%s", row ? row->name : panel->file);
             out->figure[out->count].terminal = terminal;
             out->figure[out->count].notes = chart.notes;
             put_numbers(out->figure[out->count].numbers, sizeof out->figure->numbers, &chart);
@@ -926,6 +962,8 @@ enum status_code figures_draw(struct figures *out, const struct results *results
         }
         chart_free(&chart);
     }
+    if (!task->cost && !task->brief)
+        (void)draw_maps(out, &source, task, &folder, status);
     mustache_folder_free(&folder);
     return status->code;
 }

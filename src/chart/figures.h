@@ -7,7 +7,12 @@
 #include "chart/gnuplot.h"
 #include "results/results.h"
 
-enum { FIGURES_MOST = 11 + 2 * QUANTITY_COUNT, FIGURE_FEW_POINTS = 200 };
+enum {
+    FIGURES_MAPS = 2,
+    FIGURES_MOST = 11 + FIGURES_MAPS + 2 * QUANTITY_COUNT,
+    FIGURE_NAME = 32,
+    FIGURE_FEW_POINTS = 200
+};
 
 /** What a chart's caption has to say of what is drawn in it. */
 enum figure_note {
@@ -34,10 +39,11 @@ extern const char *const figure_notes[]; /* as the view names them */
 /** Those that were drawn. */
 struct figures {
     struct {
-        const char *name; /* of its files */
-        char numbers[64]; /* of its panels in chapter 6: "6-11 to 6-14"; "": none */
-        unsigned notes;   /* bits of enum figure_note */
-        bool terminal;    /* drawn with letters too */
+        char name[FIGURE_NAME]; /* of its files */
+        char numbers[64];       /* of its panels in chapter 6: "6-11 to 6-14"; "": none */
+        unsigned notes;         /* bits of enum figure_note */
+        bool terminal;          /* drawn with letters too */
+        size_t map;             /* the surface that is one and one more; 0: a chart of curves */
     } figure[FIGURES_MOST];
     size_t count;
 };

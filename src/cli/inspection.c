@@ -1,11 +1,34 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/inspection.h"
 #include "contact/cmy.h"
+#include "direct/direct_map.h"
 #include "output/record.h"
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+
+/** What the low-pass of a report would take of the map: says so, as its note does. */
+static enum status_code look_at_low_pass(struct inspection *out, struct status *status)
+{
+    struct scan scan = out->scan;
+    struct direct_map_def map = {.nx = scan.nx, .ny = scan.ny, .dx_m = scan.dx_m, .dy_m = scan.dy_m};
+    struct areal_parameters left;
+    const size_t size = scan.nx * scan.ny * sizeof *scan.z_m;
+    if (!(scan.z_m = malloc(size)))
+        return status_memory(status);
+    memcpy(scan.z_m, out->scan.z_m, size);
+    if (direct_map_condition(scan.z_m, &map, status) == STATUS_OK && map.cutoff > 0 &&
+        areal_parameters_of(&left, &scan, status) == STATUS_OK)
+        scan_warn(&out->scan,
+                  "a report low-passes it at %.3g um, as more than 2 %% of its slopes are shorter: Sq %.3g → %.3g um, "
+                  "slope %.2g → %.2g",
+                  map.cutoff * map.dx_m * 1e6, out->areal.surface.sq_m * 1e6, left.sq_m * 1e6, out->areal.surface.sdq,
+                  left.sdq);
+    free(scan.z_m);
+    return status->code;
+}
 
 static enum status_code look_at_map(struct inspection *out, struct status *status)
 {
@@ -23,7 +46,7 @@ static enum status_code look_at_map(struct inspection *out, struct status *statu
     if (profile_make(&out->profile, &out->scan, out->scan.ny / 2, &profile_defaults, &ignored) != STATUS_OK)
         profile_free(&out->profile);
     out->profile.note_count = 0; /* one row's are not the map's */
-    return STATUS_OK;
+    return look_at_low_pass(out, status);
 }
 
 /** P of the profile before lambda_c, R of the one after. */
@@ -137,11 +160,17 @@ static const struct record_field fields[] = {FIELD(NUMBER, "spacing_m", spacing_
                                              FIELD(NUMBER, "alpha_SI", power_law.alpha, JSON),
                                              FIELD(NUMBER, "gamma", power_law.gamma, JSON),
                                              {0}};
-static const struct record_field map_fields[] = {
-    FIELD(COUNT, "nx", scan.nx, JSON),       FIELD(COUNT, "ny", scan.ny, JSON),
-    FIELD(NUMBER, "dx_m", scan.dx_m, JSON),  FIELD(NUMBER, "dy_m", scan.dy_m, JSON),
-    FIELD(NUMBER, "sq_m", areal.sq_m, JSON), FIELD(NUMBER, "sa_m", areal.sa_m, JSON),
-    FIELD(NUMBER, "sz_m", areal.sz_m, JSON), {0}};
+static const struct record_field map_fields[] = {FIELD(COUNT, "nx", scan.nx, JSON),
+                                                 FIELD(COUNT, "ny", scan.ny, JSON),
+                                                 FIELD(NUMBER, "dx_m", scan.dx_m, JSON),
+                                                 FIELD(NUMBER, "dy_m", scan.dy_m, JSON),
+                                                 FIELD(NUMBER, "sq_m", areal.surface.sq_m, JSON),
+                                                 FIELD(NUMBER, "sa_m", areal.surface.sa_m, JSON),
+                                                 FIELD(NUMBER, "sz_m", areal.surface.sz_m, JSON),
+                                                 FIELD(NUMBER, "ssk", areal.surface.ssk, JSON),
+                                                 FIELD(NUMBER, "sku", areal.surface.sku, JSON),
+                                                 FIELD(NUMBER, "sdq", areal.surface.sdq, JSON),
+                                                 {0}};
 
 json_t *inspection_json(const char *path, const struct inspection *inspection)
 {
@@ -222,7 +251,13 @@ json_t *inspection_view(const char *path, const struct inspection *f)
     show_lengths(view);
     show(view, "length_mm", f->length_m * 1e3, 6);
     show(view, "m2", f->roughness.m2, 6);
-    show(view, "slope", cmy_slope(f->roughness.m2), 6);
+    const double sdq = f->areal.surface.sdq; /* of a map the surface's, which a row along the lay has not */
+    show(view, "slope", cmy_slope(f->scan.kind == SCAN_AREAL ? sdq * sdq / 2 : f->roughness.m2), 6);
+    if (f->scan.kind == SCAN_AREAL) {
+        show(view, "ssk", round(1e3 * f->areal.surface.ssk) / 1e3 + 0.0, 4); /* no -0 */
+        show(view, "sku", f->areal.surface.sku, 4);
+        show(view, "sdq", sdq, 4);
+    }
     show(view, "m4_per_um2", f->roughness.m4_per_m2 * 1e-12, 6);
     show(view, "from_um", law->band_m[0] * 1e6, 3);
     show(view, "to_um", law->band_m[1] * 1e6, 3);

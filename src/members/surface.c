@@ -112,6 +112,7 @@ void surface_drop_arrays(struct surface_record *record)
     variants_free(&record->variants);
     strips_free(&record->strips);
     tiles_free(&record->tiles);
+    map_contact_free(&record->contact);
     free(record->curves);
     free(record->bands);
     free(record->shapes);

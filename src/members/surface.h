@@ -6,12 +6,14 @@
 #include "contact/strip.h"
 #include "joint/joint.h"
 #include "members/curve_summary.h"
+#include "members/map_contact.h"
 #include "members/note.h"
 #include "members/repeats.h"
 #include "members/scan_strips.h"
 #include "members/tiles.h"
 #include "members/variants.h"
 #include "scene/plan.h"
+#include "spectrum/areal.h"
 #include "spectrum/power_law_scans.h"
 
 enum {
@@ -63,10 +65,12 @@ struct surface_summary {
     double spacing_m, length_m;
     struct roughness roughness;
     struct asperities asperities;
-    bool has_asperities; /* a statistical model exists */
-    double between_m2;   /* what Sq² of maps has over their rows' mean square height; 0: profiles */
-    struct cmy rough;    /* what handbooks ask: Rq (of maps Sq), and the surface's mean slope, of a lay as across it and
-                            along it together */
+    bool has_asperities;              /* a statistical model exists */
+    struct areal_parameters measured; /* of its first map, before any low-pass */
+    bool has_map;
+    double between_m2; /* what Sq² of maps has over their rows' mean square height; 0: profiles */
+    struct cmy rough;  /* what handbooks ask: Rq (of maps Sq), and the surface's mean slope, of a lay as across it and
+                          along it together */
     struct power_law power_law;
     struct power_law line;        /* the thesis's, through all harmonics of fit_band, whatever `fit` */
     double independent;           /* scans averaged; rows of a map count less */
@@ -103,6 +107,7 @@ struct surface_record {
     struct ensemble ensemble;    /* scans to be run alone, until they have been; count 0: there is one */
     struct strips strips;        /* of its scans, where a model uses them; rows 0: none */
     struct tiles tiles;          /* of its one map, where a model uses it */
+    struct map_contact contact;  /* of that at the operating load; cells 0: not looked at */
     double *height_m; /* of the one scan, summary.single_points long, until the models have run; NULL: not kept */
     const struct surface_record *counterface; /* the rough one; NULL: smooth. Not owned */
     struct model_curve *curves;               /* model_count of them, NULL before any model ran */

@@ -311,6 +311,8 @@ static enum status_code conclude(struct surface_record *record, struct power_law
         return status->code;
     const struct roughness *roughness = &record->summary.roughness;
     double kappa = surface_kappa(&record->summary);
+    if (!record->summary.has_map)
+        record->summary.measured = (struct areal_parameters){NAN, NAN, NAN, NAN, NAN, NAN};
     record->summary.rough = (struct cmy){sqrt(roughness->rq_m * roughness->rq_m + record->summary.between_m2),
                                          kappa * cmy_slope(roughness->m2)};
     stretch(record, kappa);

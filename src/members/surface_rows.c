@@ -165,12 +165,18 @@ static enum status_code add_profile(const struct surface_scans *task, const stru
 enum { LEAST_POINTS = 11 };
 
 /** Takes out of a map what neither a row nor a direct solution can hold: both are of the heights that are left. */
-static enum status_code condition_map(struct direct_map_def *map, struct scan *scan, struct status *status)
+static enum status_code condition_map(struct areal_parameters of[2], struct direct_map_def *map, struct scan *scan,
+                                      struct status *status)
 {
+    struct status none = {0}; /* a map without a plane has none of them, and no usable row */
     size_t side = scan->nx < scan->ny ? scan->nx : scan->ny;
     *map = (struct direct_map_def){.nx = scan->nx, .ny = scan->ny, .dx_m = scan->dx_m, .dy_m = scan->dy_m};
+    (void)!areal_parameters_of(&of[0], scan, &none);
     if (direct_map_condition(scan->z_m, map, status) != STATUS_OK)
         return status->code;
+    of[1] = of[0];
+    if (map->cutoff > 0)
+        (void)!areal_parameters_of(&of[1], scan, &none);
     side = side < DIRECT_SIDE ? side : DIRECT_SIDE;
     map->periodic = map->periodic && map->nx == side && map->ny == side;
     map->nx = map->ny = side;
@@ -204,22 +210,6 @@ static void measure_lay(struct surface_summary *summary, const struct scan *scan
                         "map");
 }
 
-/** Mean square height of a map over its plane, Sq²; NaN where rows have more than a line taken out of them, or waves.
- */
-static enum status_code measure_sq(double *out, const struct scan *scan, const struct scene *scene,
-                                   struct status *status)
-{
-    double *flat_m = reallocarray(NULL, scan->nx * scan->ny, sizeof *flat_m);
-    struct status none = {0};
-    *out = NAN;
-    if (!flat_m)
-        return status_memory(status);
-    if (scene->level == LEVEL_LINE && !(scene->lambda_c_m > 0) && areal_flatten(flat_m, scan, &none) == STATUS_OK)
-        *out = roughness_of_heights_alone(flat_m, scan->nx * scan->ny).m0_m2;
-    free(flat_m);
-    return STATUS_OK;
-}
-
 /** Makes the profile of a row. */
 static enum status_code take_row(struct profile *out, struct scan *scan, size_t row, const struct profile_options *how,
                                  struct status *status)
@@ -236,12 +226,15 @@ static enum status_code take_row(struct profile *out, struct scan *scan, size_t 
 
 /** What there is to say of a map whose rows are taken, `unusable` of them left out, `run` of them members. */
 static void note_map(const struct surface_scans *task, const char *file, const struct scan *scan,
-                     const struct direct_map_def *map, size_t unusable, size_t run)
+                     const struct direct_map_def *map, const struct areal_parameters of[2], size_t unusable, size_t run)
 {
     size_t used = scan->ny - unusable;
-    note_add(&task->record->summary.notes, file, "note.map\n%s %.3g\nused %zu\n%s\n%s %zu",
-             map->cutoff > 0 ? "cutoff_um" : "whole", map->cutoff * map->dx_m * 1e6, used,
-             task->scene->direction == SCAN_DIRECTION_X ? "" : "columns", run < used ? "run" : "all", run);
+    note_add(
+        &task->record->summary.notes, file,
+        "note.map\n%s %.3g\nsq_before %.3g\nsq_after %.3g\nslope_before %.2g\nslope_after %.2g\nused %zu\n%s\n%s %zu",
+        map->cutoff > 0 ? "cutoff_um" : "whole", map->cutoff * map->dx_m * 1e6, of[0].sq_m * 1e6, of[1].sq_m * 1e6,
+        of[0].sdq, of[1].sdq, used, task->scene->direction == SCAN_DIRECTION_X ? "" : "columns",
+        run < used ? "run" : "all", run);
 }
 
 /** The first map of a surface speaks for all: of its lay, and of the square that a direct study takes. */
@@ -285,8 +278,9 @@ enum status_code surface_rows_add(const struct surface_scans *task, struct scan 
     const size_t scans_before = summary->scans;
     const double rq_before_m = summary->roughness.rq_m;
     double sq_m2 = NAN;
+    struct areal_parameters of[2] = {{0}}; /* a map, as measured and after the low-pass */
     struct status first = {0};
-    if ((areal && condition_map(&map, scan, status) != STATUS_OK) ||
+    if ((areal && condition_map(of, &map, scan, status) != STATUS_OK) ||
         repeats_add_scan(set, scene_file, status) != STATUS_OK)
         return status->code;
     double cutoff_m = fmax(summary->cutoff_m, map.cutoff * map.dx_m);
@@ -314,13 +308,17 @@ enum status_code surface_rows_add(const struct surface_scans *task, struct scan 
         return status_fail(status, first.code, "%s: %s", file, first.message);
     }
     summary->cutoff_m = cutoff_m;
-    if (areal && measure_sq(&sq_m2, scan, scene, status) != STATUS_OK)
-        return status->code;
+    if (areal) {
+        summary->measured = summary->has_map ? summary->measured : of[0];
+        summary->has_map = true;
+        if (scene->level == LEVEL_LINE && !(scene->lambda_c_m > 0)) /* else rows have more taken out than a plane */
+            sq_m2 = of[1].sq_m * of[1].sq_m;
+    }
     add_between(summary, scans_before, rq_before_m, sq_m2);
     if (areal && first_file && keep_map(task, scan, &map, status) != STATUS_OK)
         return status->code;
     if (areal)
-        note_map(task, file, scan, &map, unusable, set->count - run_before);
+        note_map(task, file, scan, &map, of, unusable, set->count - run_before);
     tiles_free(&task->record->tiles); /* a surface of several scans is no one map */
     if (areal && first_file && (scene->models & model_flagged(offsetof(struct model_row, uses_map))))
         tiles_take(&task->record->tiles, scan, &map);

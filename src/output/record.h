@@ -19,7 +19,13 @@ enum record_kind {
 };
 
 /** Bits of a field's `when`: it is there in the kinds of record, and under the conditions, named. */
-enum { RECORD_CSV = 1, RECORD_JSON = 2, RECORD_ALWAYS = 3, RECORD_ASPERITIES = 4 /* a model works on them */ };
+enum {
+    RECORD_CSV = 1,
+    RECORD_JSON = 2,
+    RECORD_ALWAYS = 3,
+    RECORD_ASPERITIES = 4 /* a model works on them */,
+    RECORD_MAPS = 8 /* some surface has one */
+};
 
 /** A table of fields ends with one that has no key. */
 struct record_field {

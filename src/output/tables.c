@@ -22,6 +22,12 @@ const struct record_field surface_fields[] = {
     SURFACE(NUMBER, "m0_m2", roughness.m0_m2, ALWAYS),
     SURFACE(NUMBER, "m2", roughness.m2, ALWAYS),
     SURFACE(NUMBER, "m4_per_m2", roughness.m4_per_m2, ALWAYS),
+    SHOWN(NUMBER, "sq_m", measured.sq_m, JSON | RECORD_MAPS, 3, "um"),
+    SURFACE(NUMBER, "sa_m", measured.sa_m, JSON | RECORD_MAPS),
+    SURFACE(NUMBER, "sz_m", measured.sz_m, JSON | RECORD_MAPS),
+    SURFACE(NUMBER, "ssk", measured.ssk, JSON | RECORD_MAPS),
+    SURFACE(NUMBER, "sku", measured.sku, JSON | RECORD_MAPS),
+    SURFACE(NUMBER, "sdq", measured.sdq, JSON | RECORD_MAPS),
     SURFACE(NUMBER, "sigma_m", rough.sigma_m, JSON),
     SURFACE(NUMBER, "mean_slope", rough.slope, JSON),
     SURFACE(NUMBER, "nayak", asperities.nayak, ALWAYS),
@@ -209,7 +215,10 @@ static enum status_code table_close(struct table *table, struct status *status)
 
 unsigned tables_surface_when(const struct results *results)
 {
-    return plan_uses_asperities(results->plan) ? RECORD_ASPERITIES : 0;
+    unsigned when = plan_uses_asperities(results->plan) ? RECORD_ASPERITIES : 0;
+    for (size_t i = 0; i < results->surface_count; i++)
+        when |= results->surfaces[i].summary.has_map ? RECORD_MAPS : 0;
+    return when;
 }
 
 static void fill_surface(struct table *table, const struct results *results, size_t index)
@@ -540,6 +549,22 @@ const struct record_field limit_fields[] = {
     LIMIT(NUMBER, "high", interval[1], CSV), LIMIT(PAIR, "interval_95", interval, JSON),
     LIMIT(TEXT, "verdict", verdict, ALWAYS), {0}};
 
+/** The spots of a map at the operating load. */
+static void fill_spots(struct table *table, const struct results *results, size_t index)
+{
+    const struct surface_record *record = &results->surfaces[index];
+    const struct material_pair *pair = &record->summary.pair;
+    for (size_t i = 0; record->contact.spots && i < record->contact.spot_count; i++) {
+        const struct map_spot *spot = &record->contact.spots[i];
+        put_text(table, "surface", record->summary.scene->name);
+        put_number(table, "x_m", spot->x_m);
+        put_number(table, "y_m", spot->y_m);
+        put_number(table, "area_m2", spot->area_m2);
+        put_number(table, "load_N", pair->unknown ? NAN : spot->force_m2 * pair->effective_modulus_Pa);
+        end_row(table);
+    }
+}
+
 /** How a surface stands to every limit, by the leading model. */
 static void fill_limits(struct table *table, const struct results *results, size_t index)
 {
@@ -644,6 +669,7 @@ enum status_code tables_write(const struct results *results, const char *directo
         {"answers.csv", surfaces, fill_answers},
         {"limits.csv", surfaces, fill_limits},
         {"convergence.csv", results->convergence ? CONVERGENCE_SWEEP_COUNT : 0, fill_convergence},
+        {"contact_spots.csv", surfaces, fill_spots},
         {"direct.csv", studies * DIRECT_STUDY_KINDS, fill_direct},
         {"direct_ratio.csv", studies, fill_direct_ratio},
         {"cost.csv", results->benchmark ? results->benchmark->count : 0, fill_cost},

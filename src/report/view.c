@@ -174,13 +174,31 @@ const struct surface_summary *view_summary(const struct view_source *source, siz
     return &source->results->surfaces[surface].summary;
 }
 
+/** What is to be seen in the picture of a map. */
+static void add_map(json_t *figure, const struct view_source *source, size_t surface)
+{
+    const struct map_contact *contact = &source->results->surfaces[surface].contact;
+    view_text(figure, "surface", view_name(source, surface));
+    view_load(figure, "load", source, surface, results_operating_load(source->results, surface));
+    view_number(figure, "contact_percent", 100 * contact->area_ratio, 2, "");
+    if (contact->flowed > 0)
+        view_number(figure, "flowed_percent", 100 * contact->flowed, 2, "");
+    view_count(figure, "spots", contact->spot_count);
+    view_flag(figure, "one_spot", contact->spot_count == 1);
+}
+
 /** Charts that were drawn: their files, their numbers in chapter 6, what is to be seen in them. */
-static void add_figures(json_t *out, const struct figures *figures)
+static void add_figures(json_t *out, const struct view_source *source, const struct figures *figures)
 {
     json_t *list = view_part(out, "figures");
     for (size_t i = 0; i < figures->count; i++) {
-        json_t *figure = view_part(list, figures->figure[i].name);
+        const size_t map = figures->figure[i].map;
+        json_t *figure = map > 0 ? view_item(view_list(list, "maps")) : view_part(list, figures->figure[i].name);
         view_text(figure, "name", figures->figure[i].name);
+        if (map > 0) {
+            add_map(figure, source, map - 1);
+            continue;
+        }
         view_text(figure, "numbers", figures->figure[i].numbers);
         view_flag(figure, "several_numbers", strchr(figures->figure[i].numbers, ' '));
         for (int n = 0; n < FIGURE_NOTES; n++)
@@ -207,7 +225,7 @@ enum status_code view_make(json_t **out, const struct results *results, const st
     *out = json_object();
     view_text(*out, "title", results->scene->title);
     view_text(*out, "version", version_string());
-    add_figures(*out, figures);
+    add_figures(*out, &source, figures);
     for (size_t p = 0; p < sizeof parts / sizeof *parts; p++)
         parts[p](*out, &source);
     return *out ? status->code : status_memory(status);

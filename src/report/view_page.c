@@ -58,7 +58,8 @@ static void put_row(json_t *row, const struct view_source *source, size_t surfac
     const struct comparison_ranking *ranking = &source->comparison->ranking;
     const struct surface_summary *summary = view_summary(source, surface);
     view_text(row, "surface", view_name(source, surface));
-    json_set(row, "rq_m", summary->roughness.rq_m);
+    view_flag(row, "map", summary->has_map);
+    json_set(row, "rq_m", summary->has_map ? summary->measured.sq_m : summary->roughness.rq_m);
     view_law(row, &summary->power_law);
     put_value(row, source, surface);
     if (source->asked.target)

@@ -41,6 +41,7 @@ static void put_surface(json_t *row, const struct view_source *source, size_t su
     json_object_update_new(row, record_json(surface_fields, s));
     view_text(row, "surface", view_name(source, surface));
     view_cells(view_list(row, "cells"), surface_fields, tables_surface_when(source->results), s);
+    view_flag(row, "map", s->has_map);
     view_count(row, "scans", s->scans);
     view_flag(row, "rows_of_a_map", repeats->count > 0 && repeats->scans == 1);
     view_some(row, "pieces", repeats->cut);
@@ -137,11 +138,13 @@ void view_surfaces(json_t *out, const struct view_source *source)
     view_columns(view_list(item, "heads"), source->words, surface_fields, tables_surface_when(results));
     view_flag(item, "gaps", plan_quantities(source->results->plan) & QUANTITY_BIT(QUANTITY_JOINT));
     size_t scans = 0, of_maps = 0, periodic = 0, windowed = 0, lawless = 0, last_lawless = 0;
+    bool has_maps = false;
     for (size_t i = 0; i < results->surface_count; i++) {
         const struct surface_summary *s = view_summary(source, i);
         if (!s->usable)
             continue;
         scans += s->scans;
+        has_maps = has_maps || s->has_map;
         of_maps += s->repeats.count > 0 && s->repeats.scans == 1 ? s->scans : 0;
         periodic += s->periodic;
         windowed += s->windowed;
@@ -151,6 +154,8 @@ void view_surfaces(json_t *out, const struct view_source *source)
         if (json_array_size(rows) < VIEW_ROWS)
             put_surface(view_item(rows), source, i);
     }
+    view_flag(item, "has_maps", has_maps);
+    view_flag(item, "high_passed", scene->lambda_c_m > 0);
     view_flag(item, "has_bands", scene->fit != POWER_LAW_THESIS);
     if (scene->fit_band_m[0] > 0 || isfinite(scene->fit_band_m[1]))
         view_range(item, "fit_band_m", scene->fit_band_m[0], scene->fit_band_m[1]);

@@ -171,6 +171,22 @@ static enum status_code run_direct(struct run *run, struct status *status)
     return STATUS_OK;
 }
 
+/** What the pictures of maps and the table of their spots show: the contact of a map that a model has solved. */
+static enum status_code look_at_map(void *context, size_t index, struct threads_turn *turn, struct status *status)
+{
+    const struct run *run = context;
+    const struct results *results = run->results;
+    struct surface_record *record = &results->surfaces[index];
+    const struct material_pair *pair = &record->summary.pair;
+    const double load = results_operating_load(results, index);
+    const bool yields = plan_runs(results->plan, EFFECT_PLASTICITY) && pair->hardness_Pa > 0;
+    const double hardness = yields ? pair->hardness_Pa / pair->effective_modulus_Pa : INFINITY;
+    (void)turn;
+    return record->tiles.transfer && load < hardness
+               ? map_contact_find(&record->contact, &record->tiles, load, hardness, run->options->stop, status)
+               : STATUS_OK;
+}
+
 /** A stage's wall time: from the last call to this one. */
 static double lap(double *last)
 {
@@ -195,6 +211,9 @@ static enum status_code evaluate(struct run *run, struct run_outcome *out, struc
         return status->code;
     out->times.convergence = results->studies.sweep_seconds = lap(&last);
     if (plan_runs(results->plan, EFFECT_DIRECT) && run_direct(run, status) != STATUS_OK)
+        return status->code;
+    if (!run->options->brief &&
+        threads_run(&results->threads, results->surface_count, look_at_map, run, status) != STATUS_OK)
         return status->code;
     out->times.direct = results->studies.contact_seconds = lap(&last);
     out->evaluations = work_table(&out->work, results, true);

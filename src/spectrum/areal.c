@@ -40,22 +40,53 @@ static enum status_code fit_plane(struct plane *out, const struct scan *scan, st
     return STATUS_OK;
 }
 
-/** Error: STATUS_SCAN: a flat map, but for what taking the plane out rounds. */
-static enum status_code measure_heights(struct areal *out, const struct scan *scan, const double *flat_m,
-                                        struct status *status)
+/** Mean square slope along lines of `all` points that are `step` apart. */
+static double mean_square_slope(const double *flat_m, size_t count, size_t step, size_t all, double spacing_m)
 {
-    const struct roughness over_plane = roughness_of_heights_alone(flat_m, scan->nx * scan->ny);
+    double sum = 0, slopes = 0;
+    for (size_t i = step; i + step < count; i++) {
+        double slope = (flat_m[i + step] - flat_m[i - step]) / (2 * spacing_m);
+        if (isnan(slope) || i / step % all == 0 || i / step % all == all - 1)
+            continue;
+        sum += slope * slope;
+        slopes++;
+    }
+    return sum / slopes;
+}
+
+enum status_code areal_parameters_of(struct areal_parameters *out, const struct scan *scan, struct status *status)
+{
+    const size_t count = scan->nx * scan->ny;
+    double *flat_m = malloc(count * sizeof *flat_m);
+    if (!flat_m)
+        return status_memory(status);
+    if (areal_flatten(flat_m, scan, status) == STATUS_OK) {
+        const struct roughness heights = roughness_of_heights_alone(flat_m, count);
+        *out = (struct areal_parameters){
+            heights.rq_m,
+            heights.ra_m,
+            heights.pv_m,
+            roughness_skewness(&heights),
+            roughness_kurtosis(&heights),
+            sqrt(mean_square_slope(flat_m, count, 1, scan->nx, scan->dx_m) +
+                 mean_square_slope(flat_m, count, scan->nx, scan->ny, scan->dy_m)),
+        };
+    }
+    free(flat_m);
+    return status->code;
+}
+
+/** Error: STATUS_SCAN: a flat map, but for what taking the plane out rounds. */
+static enum status_code check_heights(const struct areal *areal, const struct scan *scan, struct status *status)
+{
     double most = -INFINITY, least = INFINITY;
     for (size_t i = 0; i < scan->nx * scan->ny; i++) {
         most = fmax(most, scan->z_m[i]);
         least = fmin(least, scan->z_m[i]);
     }
-    out->sq_m = over_plane.rq_m;
-    out->sa_m = over_plane.ra_m;
-    out->sz_m = over_plane.pv_m;
     if (most == least)
         return status_fail(status, STATUS_SCAN, "the map is flat: every height is %.9g m; check the column", most);
-    if (out->sz_m <= 32 * DBL_EPSILON * (fabs(most) + most - least))
+    if (areal->surface.sz_m <= 32 * DBL_EPSILON * (fabs(most) + most - least))
         return status_fail(status, STATUS_SCAN, "the map is flat: no roughness is left over its plane");
     return STATUS_OK;
 }
@@ -134,13 +165,7 @@ static enum status_code add_spectrum(struct areal *out, const struct scan *scan,
 enum status_code areal_compute(struct areal *out, const struct scan *scan, struct status *status)
 {
     *out = (struct areal){0};
-    double *flat_m = malloc(scan->nx * scan->ny * sizeof *flat_m);
-    if (!flat_m)
-        return status_memory(status);
-    if (areal_flatten(flat_m, scan, status) == STATUS_OK)
-        (void)measure_heights(out, scan, flat_m, status);
-    free(flat_m);
-    if (status->code != STATUS_OK)
+    if (areal_parameters_of(&out->surface, scan, status) != STATUS_OK || check_heights(out, scan, status) != STATUS_OK)
         return status->code;
     struct rows rows = {.x_m = malloc(2 * scan->nx * sizeof *rows.x_m)};
     if (!rows.x_m)

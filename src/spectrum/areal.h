@@ -8,8 +8,15 @@
 #include "spectrum/roughness.h"
 #include "spectrum/spectrum.h"
 
+/** ISO 25178-2 of the heights over their least-squares plane, each a mean over the points that are there. */
+struct areal_parameters {
+    double sq_m, sa_m, sz_m; /* root mean square, mean absolute, highest minus lowest */
+    double ssk, sku;         /* mean third and fourth power over that of Sq: 0 and 3 of Gaussian heights */
+    double sdq;              /* root mean square gradient, by central differences, as m2 of the rows is */
+};
+
 struct areal {
-    double sq_m, sa_m, sz_m;  /* root mean square, mean absolute, highest minus lowest: over the least-squares plane */
+    struct areal_parameters surface;
     struct roughness rows;    /* each row over its own line; m0, Ra, m2, m4 averaged over the rows, PV the largest */
     struct spectrum spectrum; /* mean power of the rows, as grid_average() joins them */
     struct power_law_scans scans; /* the same rows, for the power law */
@@ -23,6 +30,9 @@ MUST_CHECK enum status_code areal_compute(struct areal *out, const struct scan *
  * missing). Error: STATUS_SCAN: too few points for a plane. */
 MUST_CHECK enum status_code areal_flatten(double *height_m, const struct scan *scan, struct status *status);
 
+/** Error: the same; STATUS_MEMORY. */
+MUST_CHECK enum status_code areal_parameters_of(struct areal_parameters *out, const struct scan *scan,
+                                                struct status *status);
 void areal_free(struct areal *areal);
 
 #endif

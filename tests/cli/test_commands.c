@@ -224,6 +224,28 @@ TEST_IN_WORKSPACE(test_synth)
     assert_near(json_number_value(json_object_get(json_array_get(json, 0), "rq_m")), 5e-6, 1e-5);
 }
 
+/* A map is read back with its size, Sq and spacing; it does not close, and its rows have the slope of a law of 1.5. */
+TEST_IN_WORKSPACE(test_synth_of_a_map)
+{
+    run_to_exit(place, 0, "synth", "--map", "-n", "128", "--length", "0.256mm", "--rq", "0.3um", "-s", "16um", "-o",
+                "a.sdf");
+    run_to_exit(place, 0, "synth", "--map", "-n", "128", "--length", "0.256mm", "--rq", "0.6um", "-s", "16um", "-o",
+                "b.sdf");
+    json_t *found[2];
+    for (int k = 0; k < 2; k++)
+        found[k] =
+            json_array_get(process_json(expect_exit(place, 0, "inspect", "--json", k == 0 ? "a.sdf" : "b.sdf")), 0);
+    assert_string_equal(json_string_value(json_object_get(found[0], "format")), "sdf");
+    assert_int_equal(json_integer_value(json_object_get(found[0], "points")), 128 * 128);
+    assert_near(json_number_value(json_object_get(found[0], "dx_m")), 2e-6, 1e-12);
+    assert_near(json_number_value(json_object_get(found[0], "sq_m")), 0.3e-6,
+                0.05); /* about its mean, with its plane */
+    const double slopes[2] = {json_number_value(json_object_get(found[0], "sdq")),
+                              json_number_value(json_object_get(found[1], "sdq"))};
+    assert_near(slopes[1], 2 * slopes[0], 1e-3);
+    expect_output(expect_exit(place, 2, "synth", "--map", "-n", "5000"), "");
+}
+
 TEST_IN_WORKSPACE(test_synth_refuses)
 {
     static const struct {

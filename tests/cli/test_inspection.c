@@ -79,9 +79,11 @@ static void check_map(const struct inspection *f, json_t *expected)
     assert_int_equal(f->scan.missing, (size_t)number(expected, "nmiss"));
     assert_near(f->scan.dx_m, number(expected, "dx_um") * 1e-6, 1e-12);
     assert_near(f->scan.dy_m, number(expected, "dy_um") * 1e-6, 1e-12);
-    assert_near(f->areal.sq_m, number(expected, "Sq_um") * 1e-6, 1e-9);
-    assert_near(f->areal.sa_m, number(expected, "Sa_um") * 1e-6, 1e-9);
-    assert_near(f->areal.sz_m, number(expected, "Sz_um") * 1e-6, 1e-9);
+    assert_near(f->areal.surface.sq_m, number(expected, "Sq_um") * 1e-6, 1e-9);
+    assert_near(f->areal.surface.sa_m, number(expected, "Sa_um") * 1e-6, 1e-9);
+    assert_near(f->areal.surface.sz_m, number(expected, "Sz_um") * 1e-6, 1e-9);
+    assert_within(f->areal.surface.ssk, number(expected, "Ssk"), 1e-6);
+    assert_near(f->areal.surface.sku, number(expected, "Sku"), 1e-6);
     assert_near(f->roughness.rq_m, number(expected, "Rq_rows_um") * 1e-6, 1e-9);
     assert_near(f->roughness.m2, number(expected, "M2x_rows"), 1e-6);
     assert_near(f->roughness.m4_per_m2, number(expected, "M4x_rows_um_2") * 1e12, 1e-6);
@@ -203,12 +205,39 @@ TEST_IN_WORKSPACE(test_the_text_of_a_map)
     assert_string_equal(process.out, "map.txt\n"
                                      "  format      text, x in um, z in um\n"
                                      "  points      6 x 4, spacing 2 um x 2 um, 0 missing\n"
-                                     "  plane out   Sq 1 um, Sa 1 um, Sz 2 um; below: rows, each over its line\n"
+                                     "  plane out   Sq 1 um, Sa 1 um, Sz 2 um, Ssk 0, Sku 1, Sdq 0; below: rows, each "
+                                     "over its line\n"
                                      "  roughness   Rq 0.956183 um, Ra 0.914286 um, peak to valley 2.51429 um\n"
                                      "  moments     m2 0.00734694, m4 1 /um2\n"
-                                     "  to paste    sigma_asp 1 um, m_asp 0.0683901 (of two rough sides the "
+                                     "  to paste    sigma_asp 1 um, m_asp 0 (of two rough sides the "
                                      "root of the sum of squares)\n"
-                                     "  power law   - (no power law found)\n");
+                                     "  power law   - (no power law found)\n"
+                                     "  note        a report low-passes it at 12 um, as more than 2 % of its slopes "
+                                     "are shorter: Sq 1 → 1.53e-05 um, slope 0 → 0\n");
+}
+
+/* Waves of 32 and 4 points along both directions: Sq² = .5² + .1², of which the low-pass at 6 leaves the long ones.
+ * Long ones alone are left as they are, and nothing is said. */
+TEST_IN_WORKSPACE(test_what_a_low_pass_takes)
+{
+    for (int noisy = 0; noisy < 2; noisy++) {
+        struct text *map = support_text();
+        text_add(map, "pixel size = 1 um\n");
+        for (int k = 0; k < 64 * 64; k++) {
+            double x = 2 * M_PI * (k % 64 + 0.5), y = 2 * M_PI * (k / 64 + 0.5);
+            double z = cos(x / 32) * cos(y / 32) + noisy * 0.2 * cos(x / 4) * cos(y / 4);
+            text_add(map, "%.9f%s", z, k % 64 == 63 ? "\n" : " ");
+        }
+        workspace_write(place, "map.txt", text_string(map));
+        struct process process = expect_exit(place, 0, "inspect", "--z-unit", "um", "map.txt");
+        json_t *of = inspect_first(expect_exit(place, 0, "inspect", "--json", "--z-unit", "um", "map.txt"));
+        const double slopes = 0.5 * sin(M_PI / 16), fast = 0.1 * noisy; /* each in both directions */
+        assert_near(number(of, "sdq"), hypot(slopes, fast) * M_SQRT2, 0.02);
+        assert_near(number(of, "sq_m"), hypot(0.5, 0.1 * noisy) * 1e-6, 1e-6);
+        assert_int_equal(strstr(process.out, "Sq 0.51 → 0.476 um, slope 0.2 → 0.13") != NULL, noisy);
+        assert_int_equal(strstr(process.out, "low-pass") != NULL, noisy);
+        expect_output(process, noisy ? "m_asp 0.112" : "m_asp 0.079"); /* sqrt(2/pi) Sdq/sqrt 2 */
+    }
 }
 
 TEST_IN_WORKSPACE(test_the_text_of_a_profile)

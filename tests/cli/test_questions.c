@@ -161,7 +161,7 @@ static size_t sheets_of(const char *place)
 /** A report is read in two minutes: its first page, and all of it, also on paper where a browser is there to print. */
 TEST_IN_WORKSPACE(no_longer_than_that)
 {
-    static const char *const runs[] = {"chapter6", "connector", "thermal-interface"};
+    static const char *const runs[] = {"chapter6", "connector", "thermal-interface", "lapped-map"};
     char program[4096];
     bool prints = program_find(program, sizeof program, "chromium");
     for (size_t k = 0; k < sizeof runs / sizeof *runs; k++) {

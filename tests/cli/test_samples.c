@@ -126,6 +126,11 @@ TEST_IN_WORKSPACE(chapter6_is_the_sample)
     expect_sample(place, "chapter6");
 }
 
+TEST_IN_WORKSPACE(the_map_is_the_sample)
+{
+    expect_sample(place, "lapped-map");
+}
+
 TEST_IN_WORKSPACE(the_connector_is_the_sample)
 {
     expect_sample(place, "connector");

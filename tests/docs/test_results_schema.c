@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* docs/results.schema.json and docs/first_chart.py against the results.json of the three examples. */
+/* docs/results.schema.json and docs/first_chart.py against the results.json of the examples. */
 #include "cli/process.h"
 #include "contact/quantity.h"
 
-static const char *const examples[] = {"connector", "chapter6", "thermal-interface"};
-enum { EXAMPLES = 3, TEXT = 256 };
+static const char *const examples[] = {"connector", "chapter6", "thermal-interface", "lapped-map"};
+enum { EXAMPLES = 4, TEXT = 256 };
 static json_t *results[EXAMPLES], *schema, *defs;
 
 static int reports_setup(void **state)

@@ -202,3 +202,88 @@ TEST_IN_DIRECTORY(squares_and_study)
     assert_int_equal(rows_of(place, "out/data/direct_ratio.csv", "gw"), 3);
     assert_int_equal(rows_of(place, "out/data/direct_ratio.csv", "direct"), 0);
 }
+
+/** Waves of 16 and, `noisy`, of 4 points on a slight slope: Sq² = .2² and .02² more. */
+static void write_waves(const struct directory *place, const char *name, bool noisy)
+{
+    struct text *xyz = support_text();
+    text_add(xyz, "x [um],y [um],z [um]\n");
+    for (size_t k = 0; k < SIDE * SIDE; k++) {
+        double x = 2 * M_PI * ((double)(k % SIDE) + 0.5), y = 2 * M_PI * ((double)(k / SIDE) + 0.5);
+        text_add(xyz, "%zu,%zu,%.9g\n", k % SIDE, k / SIDE,
+                 0.001 * x + 0.4 * cos(x / 16) * cos(y / 16) + noisy * 0.04 * cos(x / 4) * cos(y / 4));
+    }
+    directory_write(place, name, text_string(xyz));
+}
+
+/** A map's parameters are those of its surface, as measured; what a low-pass takes is said where there is one. Rows are
+ * no surface, and profiles have neither column nor numbers. */
+TEST_IN_DIRECTORY(parameters_of_the_surface)
+{
+    write_waves(place, "in/w.csv", false);
+    write_waves(place, "in/n.csv", true);
+    pipeline_rough(place, "in/line.csv", 400, 1, 1);
+    run_scene(place, "maps", "models: [multiscale]\nsurfaces: [" MAP("w") ", " MAP("n") ", " MAP("line") "]\n");
+    expect_in_file(place, "maps/report.md", "| surface | Sq (µm) | Rq (µm) |", "| 0.200 (Sq) |",
+                   "\n| w | 0.200 | 0.200 |", "\n| n | 0.201 | 0.", "\n| line | – | 0.",
+                   "*w* over its plane (ISO 25178-2): Sq 0.200 µm, Sa 0.1",
+                   "low-passed at 6 um (Sq 0.201 → 0.165 um, slope 0.11 → 0.091)");
+    expect_not_in_file(place, "maps/report.md", "*line* over its plane", "w.csv: a map, low-passed");
+    struct table table = directory_table(place, "maps/data/surfaces.csv");
+    assert_near(table_number(&table, 0, "sq_m"), 2e-7, 1e-6);
+    assert_near(table_number(&table, 1, "sq_m"), hypot(0.2, 0.02) * 1e-6, 1e-6);
+    assert_near(table_number(&table, 1, "sdq") / table_number(&table, 0, "sdq"),
+                hypot(0.2 * sin(M_PI / 8), 0.02) / (0.2 * sin(M_PI / 8)), 0.01);
+    assert_string_equal(table_text(&table, 2, "sq_m"), "");
+    json_t *surface =
+        json_array_get(json_object_get(support_json(directory_read(place, "maps/results.json")), "surfaces"), 0);
+    const double slope = json_number_value(json_object_get(surface, "mean_slope"));
+    assert_near(json_number_value(json_object_get(surface, "sigma_m")), 2e-7, 1e-6);
+    assert_near(slope, json_number_value(json_object_get(surface, "sdq")) / sqrt(M_PI), 0.03);
+    run_scene(place, "lines", "models: [multiscale]\nsurfaces: [" MAP("line") "]\n");
+    expect_not_in_file(place, "lines/report.md", "Sq (µm)", "over its plane", "after `lambda_c`");
+    expect_not_in_file(place, "lines/data/surfaces.csv", "sq_m");
+    run_scene(place, "high", "models: [multiscale]\nlambda_c: 50 um\nsurfaces: [" MAP("line") "]\n");
+    expect_in_file(place, "high/report.md", "Rq, Ra: of the whole scan after `lambda_c`");
+}
+
+/** The picture of a map has its share in contact and its spots in words; the spots carry the load of the map's area,
+ * and their areas are the picture's. Names may be anything; the first page alone, and profiles, have none of it. */
+TEST_IN_DIRECTORY(pictures_and_spots)
+{
+    write_map(place, "in/a.csv", 1, 1);
+    write_map(place, "in/b.csv", 2, 1);
+    pipeline_rough(place, "in/line.csv", 400, 1, 1);
+    static const char scene[] = MATERIAL
+        "operating_load: 1e-3\nsurfaces: [{name: \"a'/]]><\", file: a.csv}, {name: \"a''/]]><\", file: b.csv}]\n";
+    run_scene(place, "out", scene);
+    expect_in_file(place, "out/report.md", " % in contact, in ", " % of that has yielded (at the hardness)",
+                   "](figures/map-a------.svg)", "](figures/map-a-------.svg)");
+    expect_in_file(place, "out/figures/map-a------.svg", "<image", "data:image/png;base64,", "in contact");
+    struct table spots = directory_table(place, "out/data/contact_spots.csv");
+    json_t *results = support_json(directory_read(place, "out/results.json"));
+    const double modulus_Pa =
+        json_number_value(json_object_get(json_object_get(results, "scene"), "effective_modulus_Pa"));
+    double sum_N[2] = {0}, area_m2[2] = {0};
+    for (size_t r = 0; r < spots.rows; r++) {
+        const int b = strlen(table_text(&spots, r, "surface")) > strlen("a'/]]><");
+        sum_N[b] += table_number(&spots, r, "load_N");
+        area_m2[b] += table_number(&spots, r, "area_m2");
+        assert_in_range(table_number(&spots, r, "x_m") * 1e9, 0, SIDE * 1000);
+        assert_in_range(table_number(&spots, r, "y_m") * 1e9, 0, SIDE * 1000);
+    }
+    for (int b = 0; b < 2; b++) {
+        assert_near(sum_N[b], 1e-3 * modulus_Pa * SIDE * SIDE * 1e-12, 1e-3);
+        assert_true(area_m2[b] > 1e-3 * SIDE * SIDE * 1e-12 && area_m2[b] < 0.3 * SIDE * SIDE * 1e-12);
+    }
+    struct run_outcome outcome;
+    struct status status = {0};
+    assert_int_equal(pipeline_into(&outcome, place, "in", "brief", (struct run_options){.brief = true}, &status),
+                     STATUS_OK);
+    run_outcome_free(&outcome);
+    assert_false(directory_has(place, "brief/data/contact_spots.csv"));
+    assert_false(directory_has(place, "brief/figures/map-a------.svg"));
+    run_scene(place, "lines", "material: bronze\nsurfaces: [" MAP("line") "]\n");
+    expect_not_in_file(place, "lines/report.md", "figures/map", "in contact, in");
+    assert_false(directory_has(place, "lines/data/contact_spots.csv"));
+}

@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# A map's heights with its contact, and a section. By hand: cd figures && gnuplot {{name}}.gp
+reset
+set terminal svg size 800,380 noenhanced font 'Liberation Sans,15' background '#ffffff' standalone
+set encoding utf8
+set datafile separator comma
+set output '{{name}}.svg'
+set multiplot
+{{> charts/style}}
+unset grid; set style fill solid 1
+set tmargin at screen 0.905; set bmargin at screen 0.247
+
+# Heights in greys, so that what touches stands out; 48 of them, as more would double the picture's size
+set palette maxcolors 48 defined (0 '#3a3a3a', 1 '#fafafa')
+set lmargin at screen 0.095; set rmargin at screen 0.40125
+set colorbox user origin screen 0.42, 0.247 size screen 0.016, 0.658 border
+set cbtics nomirror scale 0.6 offset -0.6,0 textcolor rgb ink
+set xrange [0:{{side}}]; set yrange [0:{{side}}]
+set xtics autofreq; set ytics autofreq
+set format '%.3g'
+set xlabel 'x ({{length_unit}})' offset 0,0.6
+set label 'y ({{length_unit}})' at screen 0.02, graph 0.5 center rotate by 90
+set label '{{title}}' at screen 0.095, screen 0.965 left
+set label 'height (µm)' at screen 0.42, screen 0.945 left
+set label '■ in contact' at screen 0.095, screen 0.05 left textcolor rgb '#cc5500'
+{{#flows}}
+set label '■ yielded, at the hardness' at screen 0.24, screen 0.05 left textcolor rgb '#1257d0'
+{{/flows}}
+set arrow from 0, {{section}} to {{side}}, {{section}} nohead lc rgb ink lw 1 dt 2 front
+cell = {{cell}}
+plot '{{name}}.csv' index 0 matrix using (($1+0.5)*cell):(($2+0.5)*cell):3 with image notitle, \
+ '{{name}}.csv' index 1 matrix using (($1+0.5)*cell):(($2+0.5)*cell):($3>1?18:204):($3>1?87:85):($3>1?208:0):($3>0?255:0) with rgbalpha notitle
+
+unset label; unset arrow; unset colorbox
+set grid xtics ytics lc rgb '#e3e3e3' lw 0.7 dt 1
+set lmargin at screen 0.60; set rmargin at screen 0.975
+set xtics autofreq; set ytics autofreq
+set yrange [0:*]
+set xlabel 'x along the dashed line ({{length_unit}})' offset 0,0.6
+set label 'pressure{{#has_material}} (MPa){{/has_material}}{{^has_material}} / E′{{/has_material}}' at screen 0.525, graph 0.5 center rotate by 90
+{{#hardness}}
+set arrow from graph 0, first {{hardness}} to graph 1, first {{hardness}} nohead lc rgb '#1257d0' lw 1 dt 3 front
+set label 'hardness' at graph 1, screen 0.945 right textcolor rgb '#1257d0'
+{{/hardness}}
+plot '{{name}}.csv' index 2 using 1:2 with lines lc rgb '#cc5500' lw 1.4 notitle
+unset multiplot
+set output
