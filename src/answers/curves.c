@@ -138,33 +138,6 @@ static enum status_code run_model(struct surface_record *record, size_t m, const
     return STATUS_OK;
 }
 
-/** What a perfect lay would change in model `m`: with frequencies times kappa = sqrt(1/2) the surface is, in lengths
- * that are 1/kappa times its own, this one of a modulus kappa E'. */
-static enum status_code run_perfect_lay(struct surface_record *record, size_t m, const struct model_task *task,
-                                        struct status *status)
-{
-    struct material_pair pair = record->summary.pair;
-    struct model_task one = surface_middle_task(task), lay = one;
-    double load = one.loads[0] / M_SQRT1_2, *out = record->summary.perfect_lay;
-    struct contact_point points[2][2] = {{{.value = {0}}}};
-    pair.effective_modulus_Pa *= M_SQRT1_2;
-    lay.loads = &load;
-    lay.pair = &pair;
-    out[0] = out[1] = NAN;
-    for (int k = 0; k < 2; k++) {
-        struct model_curve curve = {.points = points[k]};
-        const struct model_task *asked = k == 0 ? &one : &lay;
-        if (ensemble_curve(&curve, NULL, &record->ensemble, model_rows[m], asked, status) != STATUS_OK)
-            return status->code;
-        if (!curve.exists || curve.count == 0 || points[k][0].value[QUANTITY_LOAD] != asked->loads[0])
-            return STATUS_OK;
-    }
-    out[0] = points[1][0].value[QUANTITY_AREA] / points[0][0].value[QUANTITY_AREA];
-    if (points[0][0].value[QUANTITY_ECR] > 0)
-        out[1] = points[1][0].value[QUANTITY_ECR] / points[0][0].value[QUANTITY_ECR] / M_SQRT1_2;
-    return STATUS_OK;
-}
-
 /** Room for what the models leave. */
 static enum status_code make_model_room(struct surface_record *record, const struct plan *plan, size_t load_count,
                                         struct status *status)
@@ -193,6 +166,8 @@ static enum status_code solve_strips(struct surface_record *record, const struct
     enum status_code rc = strips_solve(strips, stop, status);
     if (rc == STATUS_OK && set->scan_count > 1)
         rc = strips_solve_members(strips, set, stop, status);
+    if (rc == STATUS_OK && record->flatter)
+        rc = strips_solve(&record->flatter->strips, stop, status);
     summary->has_strips = strips->joined;
     for (size_t p = 0; p < set->count; p++) {
         summary->has_strips = summary->has_strips || set->members[p].strip;
@@ -201,7 +176,7 @@ static enum status_code solve_strips(struct surface_record *record, const struct
     if (rc == STATUS_OK && !summary->has_strips)
         note_add(&summary->notes, NULL, "note.no_strips\nwhy\t%s", strips->problem.message);
     summary->strip_unsolved[0] = strips->unsolved;
-    summary->strip_transforms = strips->transforms;
+    summary->strip_transforms = strips->transforms + (record->flatter ? record->flatter->strips.transforms : 0);
     summary->times.strips = clock_seconds() - started;
     return rc;
 }
@@ -262,9 +237,6 @@ static enum status_code curves_run(struct surface_record *record, const struct s
     }
     task.evaluations = NULL;
     size_t leading = plan_leading_model(plan);
-    if (!record->summary.has_lay && plan_runs_model(plan, leading) &&
-        run_perfect_lay(record, leading, &task, status) != STATUS_OK)
-        return status->code;
     if (plan_runs(plan, EFFECT_UNCERTAINTY) && record->height_m &&
         uncertainty_run(record, asked, &task, status) != STATUS_OK)
         return status->code;

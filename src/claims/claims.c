@@ -152,7 +152,7 @@ static bool refused(struct claims *c)
     size_t files = 0, all = 0, names[NAMED] = {0}, count = 0;
     for (size_t i = 0; i < c->results->surface_count; i++) {
         const struct surface_summary *s = summary_of(c, i);
-        const size_t own = s->scene->files.count, out = s->usable ? s->refused_scans : own;
+        const size_t own = s->scene->files.count + s->scene->along.count, out = s->usable ? s->refused_scans : own;
         all += own;
         files += out;
         if (out > 0 && count++ < NAMED)
@@ -565,7 +565,8 @@ static bool uncertainty(struct claims *c)
         return false;
     const struct estimate *known = estimate_on(c, surface);
     const double few = summary_of(c, surface)->has_tiles ? 0 : accuracy_few_waves_sd(c->results, surface),
-                 own = model_sd(model_rows[c->leading], c->asked.quantity), ofs = known->model_sd * known->model_sd,
+                 own = model_sd(model_rows[c->leading], c->asked.quantity, surface_knows_both(summary_of(c, surface))),
+                 ofs = known->model_sd * known->model_sd,
                  waves = few > 0 ? ofs * few * few / (few * few + own * own) : 0;
     const double variance[] = {ofs - waves, known->s * known->s, waves};
     static const char *const causes[] = {"cause.model", "cause.scans", "cause.waves"};

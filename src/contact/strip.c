@@ -3,6 +3,7 @@
 
 #include "base/fft.h"
 #include "base/isotonic.h"
+#include "base/smooth.h"
 #include "contact/corrected_persson.h"
 #include "direct/direct_constriction.h"
 #include "direct/direct_quantities.h"
@@ -28,6 +29,11 @@ static const struct {
 enum { ROUGH_STEP = 2, ROUGH_TOLERANCE = 2 };
 
 static const double least_share = 0.3; /* of the points in contact that their outline leaves */
+
+double strip_smoothing(size_t scans)
+{
+    return scans <= 1 ? 1 : scans == 2 ? 0.8 : 0.6;
+}
 
 static size_t row_length(const struct strip_rows *rows)
 {
@@ -215,7 +221,7 @@ enum status_code strip_solve(struct strip *out, const struct strip_rows *rows, s
     size_t length = row_length(rows), points;
     struct phases phases = {0};
     struct solver solver = {.strip_m = strip_join(&points, rows), .rough = surrogates == STRIP_ROUGHLY, .stop = stop};
-    *out = (struct strip){.surrogates = 0};
+    *out = (struct strip){.smoothing = rows->smoothing};
     surrogates = solver.rough ? 1 : surrogates;
     if (!solver.strip_m)
         return status_memory(status);
@@ -295,20 +301,36 @@ static double area_of(const double range[2], double share)
     return logistic(range[0] + (range[1] - range[0]) * share);
 }
 
+/** The strip's ratios at the grid's nodes, smoothed. False: out of memory. */
+static bool fill_ratios(struct strip_ratio *out, const double range[2], size_t steps, const struct strip *strip)
+{
+    const double width = strip->smoothing / ((range[1] - range[0]) / (double)steps);
+    enum { EACH_OF = sizeof *out / sizeof out->load };
+    for (size_t k = 0; k <= steps; k++)
+        out[k] = strip_ratio_at(strip, area_of(range, (double)k / (double)steps));
+    return smooth_lines(&out->load, steps + 1, EACH_OF, width) &&
+           smooth_lines(&out->constriction, steps + 1, EACH_OF, width) &&
+           smooth_lines(&out->separation, steps + 1, EACH_OF, width);
+}
+
 enum status_code strip_areas(double *area_ratio, const double *loads, size_t count, const struct strip *strip,
                              double m2, struct status *status)
 {
     double range[2];
     size_t steps = range_of(range, strip), at = 0;
     double *load = malloc((steps + 1) * sizeof *load); /* ln p, never falling */
-    if (!load)
+    struct strip_ratio *ratio = malloc((steps + 1) * sizeof *ratio);
+    if (!load || !ratio || !fill_ratios(ratio, range, steps, strip)) {
+        free(load);
+        free(ratio);
         return status_memory(status);
+    }
     for (size_t k = 0; k <= steps; k++) {
         double area = area_of(range, (double)k / (double)steps);
-        load[k] = log(corrected_persson_load(area, m2)) + strip_ratio_at(strip, area).load;
+        load[k] = log(corrected_persson_load(area, m2)) + ratio[k].load;
         load[k] = k > 0 ? fmax(load[k], load[k - 1]) : load[k];
     }
-    double lowest = exp(strip_ratio_at(strip, area_of(range, 0)).load);
+    double lowest = exp(ratio[0].load);
     for (size_t i = 0; i < count; i++) {
         double wanted = log(loads[i]);
         while (at < steps && load[at + 1] < wanted)
@@ -322,6 +344,7 @@ enum status_code strip_areas(double *area_ratio, const double *loads, size_t cou
             area_ratio[i] = area_of(range, ((double)at + share) / (double)steps);
     }
     free(load);
+    free(ratio);
     return STATUS_OK;
 }
 
@@ -331,7 +354,12 @@ struct nodes {
     double range[2], *area_ratio;
     double (*value)[3];                     /* ln of l and gap, and A/p, never rising among the nodes */
     struct corrected_persson_point *theory; /* every EACH-th node's */
+    struct strip_ratio *ratio;              /* of the nodes */
+    double (*least)[2];                     /* so much of ln of the theory's l and gap has to fall */
 };
+
+/* Share of the theory's fall with ln A that smoothed lengths and gaps keep where they would rise. */
+static const double least_fall = 0.2;
 
 /** ln of the theory at node k: the cubic through four. */
 static void between(double out[2], const struct corrected_persson_point *theory, size_t k, size_t steps)
@@ -360,19 +388,26 @@ static void fill_nodes(struct nodes *nodes, const struct strip *strip, const str
         if (k >= below) {
             nodes->area_ratio[k] = area_of(nodes->range, (double)(k - below) / (double)nodes->steps);
             between(value, nodes->theory + below, k - below, nodes->steps);
-        } else {
+        } else { /* where the ratios go on as they end */
             value[0] = log(nodes->theory[k].constriction_m);
             value[1] = log(nodes->theory[k].separation_m);
         }
-        struct strip_ratio ratio = strip_ratio_at(strip, nodes->area_ratio[k]);
-        double area = nodes->area_ratio[k], load = corrected_persson_load(area, persson->m2) * exp(ratio.load);
-        value[0] += ratio.constriction;
-        value[1] += ratio.separation;
+        const struct strip_ratio *ratio = &nodes->ratio[k >= below ? k - below : 0];
+        const double area = nodes->area_ratio[k], load = corrected_persson_load(area, persson->m2) * exp(ratio->load),
+                     falls = strip->smoothing > 0 ? least_fall : 0;
+        nodes->least[k][0] = falls * value[0];
+        nodes->least[k][1] = falls * value[1];
+        value[0] += ratio->constriction;
+        value[1] += ratio->separation;
         value[2] = k > below ? fmin(nodes->value[k - 1][2], area / load) : area / load;
     }
     for (size_t q = 0; q < 1 + (size_t)with_separation; q++) {
         double raw = nodes->value[below][q];
+        for (size_t k = below; k < all; k++)
+            nodes->value[k][q] -= nodes->least[k][q];
         isotonic(&nodes->value[below][q], all - below, 3, true);
+        for (size_t k = below; k < all; k++)
+            nodes->value[k][q] += nodes->least[k][q];
         for (size_t k = 0; k < below; k++)
             nodes->value[k][q] += nodes->value[below][q] - raw;
     }
@@ -402,7 +437,10 @@ enum status_code strip_contact(struct strip_contact *contact, size_t count, cons
     nodes.area_ratio = malloc(most * sizeof *nodes.area_ratio);
     nodes.theory = malloc(most * sizeof *nodes.theory);
     nodes.value = malloc(most * sizeof *nodes.value);
-    if (!nodes.area_ratio || !nodes.theory || !nodes.value) {
+    nodes.least = malloc(most * sizeof *nodes.least);
+    nodes.ratio = malloc((nodes.steps + 1) * sizeof *nodes.ratio);
+    if (!nodes.area_ratio || !nodes.theory || !nodes.value || !nodes.least || !nodes.ratio ||
+        !fill_ratios(nodes.ratio, nodes.range, nodes.steps, strip)) {
         (void)status_memory(status);
     } else {
         for (; nodes.below < count && contact[nodes.below].area_ratio < area_of(nodes.range, 0); nodes.below++)
@@ -414,5 +452,7 @@ enum status_code strip_contact(struct strip_contact *contact, size_t count, cons
     free(nodes.area_ratio);
     free(nodes.theory);
     free(nodes.value);
+    free(nodes.least);
+    free(nodes.ratio);
     return status->code;
 }

@@ -211,11 +211,7 @@ void view_surfaces(json_t *out, const struct view_source *source)
     if (results->counterface)
         view_number(item, "counterface_rq_um", results->counterface->summary.roughness.rq_m * 1e6, 3, "");
     put_bodies(item, source);
-    const struct surface_summary *baseline = &source->baseline->summary;
-    if (!baseline->has_lay && baseline->perfect_lay[0] > 0) {
-        view_number(item, "perfect_lay_area", baseline->perfect_lay[0], 2, "");
-        view_number(item, "perfect_lay_ecr", baseline->perfect_lay[1], 2, "");
-    }
+    view_flag(item, "isotropic", !source->baseline->summary.has_lay);
 }
 
 /* ---- Inputs ---- */

@@ -40,7 +40,7 @@ TEST_CASE(sinusoid)
     for (int periodic = 0; periodic < 2; periodic++) {
         for (size_t i = 0; i < POINTS; i++)
             height[i] = amplitude_m * cos(2 * M_PI * ((double)i + 0.5) / POINTS);
-        struct strip_rows rows = {height, 1, POINTS, 1e-6, periodic, NULL};
+        struct strip_rows rows = {height, 1, POINTS, 1e-6, periodic, NULL, 0};
         struct strip strip = solved(&rows, 0);
         assert_in_range(strip.own.count, 8, STRIP_LOADS);
         assert_true(strip.transforms > 0);
@@ -61,7 +61,7 @@ TEST_CASE(gaussian_rows_have_a_ratio_of_one)
     double sum[3] = {0};
     for (uint64_t s = 0; s < SURFACES; s++) {
         double *height = gaussian_rows(ROWS, 77 + s);
-        struct strip_rows rows = {height, ROWS, POINTS, 1e-6, true, NULL};
+        struct strip_rows rows = {height, ROWS, POINTS, 1e-6, true, NULL, 0};
         struct strip strip = solved(&rows, STRIP_SURROGATES);
         struct strip_ratio ratio = strip_ratio_at(&strip, 0.2);
         sum[0] += ratio.load / SURFACES;
@@ -79,8 +79,8 @@ TEST_CASE(heights_tell)
     double *height = gaussian_rows(ROWS, 5);
     for (size_t i = 0; i < ROWS * POINTS; i++)
         height[i] = fmin(height[i], 0) + 0.02 * fmax(height[i], 0);
-    struct strip_rows rows = {height, ROWS, POINTS, 1e-6, false, NULL},
-                      alone = {height + POINTS, 1, POINTS, 1e-6, false, NULL};
+    struct strip_rows rows = {height, ROWS, POINTS, 1e-6, false, NULL, 0},
+                      alone = {height + POINTS, 1, POINTS, 1e-6, false, NULL, 0};
     struct strip strip = solved(&rows, STRIP_SURROGATES), again = solved(&rows, STRIP_SURROGATES);
     assert_memory_equal(&strip, &again, sizeof strip);
     double cost = (double)strip_cost(&rows);
@@ -139,7 +139,7 @@ TEST_CASE(steps_between_rows_are_no_slope)
     for (int step = 0; step < 2; step++) {
         for (size_t i = 0; step > 0 && i < POINTS; i++)
             height[i] += 1e-4;
-        const struct strip_rows rows = {height, 2, POINTS, 1e-6, true, NULL};
+        const struct strip_rows rows = {height, 2, POINTS, 1e-6, true, NULL, 0};
         struct strip strip = solved(&rows, 0);
         light[step] = strip.own.value[0][0];
     }
@@ -156,8 +156,8 @@ TEST_CASE(rows_are_mirrored)
             double at = height[r * POINTS + i] += 5e-9 * (double)i;
             mirrored[2 * r * POINTS + i] = mirrored[2 * (r + 1) * POINTS - 1 - i] = at;
         }
-    struct strip strip = solved(&(struct strip_rows){height, 2, POINTS, 1e-6, false, NULL}, 1);
-    struct strip expected = solved(&(struct strip_rows){mirrored, 2, 2 * POINTS, 1e-6, true, NULL}, 1);
+    struct strip strip = solved(&(struct strip_rows){height, 2, POINTS, 1e-6, false, NULL, 0}, 1);
+    struct strip expected = solved(&(struct strip_rows){mirrored, 2, 2 * POINTS, 1e-6, true, NULL, 0}, 1);
     assert_memory_equal(&strip, &expected, sizeof strip);
 }
 
@@ -166,7 +166,7 @@ TEST_CASE(rows_are_mirrored)
 TEST_CASE(gap_of_the_open_points)
 {
     double *height = gaussian_rows(1, 9), sum = 0;
-    struct strip strip = solved(&(struct strip_rows){height, 1, POINTS, 1e-6, true, NULL}, 0);
+    struct strip strip = solved(&(struct strip_rows){height, 1, POINTS, 1e-6, true, NULL, 0}, 0);
     struct direct_contact contact;
     size_t count = 0;
     expect_ok(direct_contact_make, &contact, height, &(struct direct_grid){POINTS, 1, 1e-6, false});
@@ -189,7 +189,7 @@ TEST_CASE(gap_of_the_open_points)
 TEST_CASE(nothing_to_solve)
 {
     double height[POINTS] = {0};
-    struct strip_rows rows = {height, 1, POINTS, 1e-6, false, NULL};
+    struct strip_rows rows = {height, 1, POINTS, 1e-6, false, NULL, 0};
     struct strip strip;
     expect_fails(STATUS_MODEL, "", strip_solve, &strip, &rows, 1, NULL);
 }
@@ -257,7 +257,7 @@ TEST_CASE(against_direct_solutions)
         expect_ok(direct_contact_make, &contact, height, &(struct direct_grid){SIDE, SIDE, 1e-6, false});
         expect_ok(direct_ladder_run, truth, &contact, &ladder);
         expect_ok(persson_make, &persson, &mean, 0);
-        struct strip_rows rows = {row, LINES, SIDE, 1e-6, true, NULL};
+        struct strip_rows rows = {row, LINES, SIDE, 1e-6, true, NULL, 0};
         struct strip strip = solved(&rows, STRIP_SURROGATES);
         errors(rms, NULL, &persson, loads, truth);
         for (int q = 0; q < 3; q++)
@@ -276,7 +276,7 @@ TEST_CASE(against_direct_solutions)
 TEST_CASE(roughly)
 {
     double *height = gaussian_rows(ROWS, 5);
-    struct strip_rows rows = {height, ROWS, POINTS, 1e-6, true, NULL};
+    struct strip_rows rows = {height, ROWS, POINTS, 1e-6, true, NULL, 0};
     struct strip strip = solved(&rows, STRIP_SURROGATES), rough = solved(&rows, STRIP_ROUGHLY);
     assert_int_equal(rough.surrogates, 1);
     assert_int_equal(rough.own.count, (strip.own.count + 1) / 2);

@@ -86,7 +86,7 @@ TEST_IN_DIRECTORY(a_lay_stretches_the_waves)
         write_scans(place, "l", 0.6, 1);
         write_scans(place, "b", 1, 1 / kappa);
         run_scene(place, "lay", rows[k].files, rows[k].keys, direct);
-        run_scene(place, "stretched", rows[k].stretched, "", direct);
+        run_scene(place, "stretched", rows[k].stretched, ", lay: 1", direct);
         expect_same(place, "contact", "lay", "stretched", curves, 2e-6);
         expect_same(place, "bands", "lay", "stretched", bands, 1e-5);
         if (k == 2)
@@ -95,32 +95,6 @@ TEST_IN_DIRECTORY(a_lay_stretches_the_waves)
         assert_near(lay_number(place, "lay", "kappa"), kappa, 1e-9);
         run_scene(place, "isotropic", rows[k].files, "", "");
         expect_same(place, "spectrum", "lay", "isotropic", spectra, 1e-12);
-    }
-}
-
-/** Where no lay is known, what a perfect one would change is what it does change where it is given. */
-TEST_IN_DIRECTORY(an_unknown_lay_is_tried)
-{
-    static const char *const files[] = {"'a*.csv'", "a1.csv"};
-    write_scans(place, "a", 1, 1);
-    for (int k = 0; k < 2; k++) {
-        double numbers[2][2] = {{0}};
-        run_scene(place, "unknown", files[k], "", "");
-        run_scene(place, "perfect", files[k], ", lay: 0", "");
-        for (int run = 0; run < 2; run++) {
-            struct table table = directory_table(place, run ? "perfect/data/contact.csv" : "unknown/data/contact.csv");
-            for (size_t row = 0; row < table.rows; row++)
-                if (strcmp(table_text(&table, row, "model"), "strip-plastic") == 0 &&
-                    fabs(table_number(&table, row, "load_over_AnEp") - 1e-3) < 1e-9) {
-                    numbers[run][0] = table_number(&table, row, "area_ratio");
-                    numbers[run][1] = table_number(&table, row, "ecr_ohm_m2");
-                }
-        }
-        assert_true(numbers[1][0] > 1.02 * numbers[0][0]);
-        assert_near(lay_number(place, "unknown", "perfect_lay_area_factor"), numbers[1][0] / numbers[0][0], 1e-6);
-        assert_near(lay_number(place, "unknown", "perfect_lay_ecr_factor"), numbers[1][1] / numbers[0][1], 1e-6);
-        assert_near(lay_number(place, "unknown", "kappa"), 1, 0);
-        assert_near(lay_number(place, "perfect", "perfect_lay_area_factor"), 0, 0); /* there is none */
     }
 }
 
