@@ -619,6 +619,22 @@ static bool not_flat_assumed(struct claims *c)
     return true;
 }
 
+/** What scans in another direction would make of the model's error, where a surface has none. */
+static bool one_direction(struct claims *c)
+{
+    const struct model_row *leading = model_rows[c->leading];
+    const double one = model_factor(model_sd(leading, c->asked.quantity, false)),
+                 two = model_factor(model_sd(leading, c->asked.quantity, true));
+    bool some = false;
+    for (size_t k = 0; k < c->results->usable_count; k++)
+        some = some || (!summary_of(c, usable(c, k))->has_lay && !nothing_touches(c, usable(c, k)) &&
+                        !known_value(c->results, c->asked.quantity, usable(c, k)).measured);
+    c->weight = one / two;
+    put_number(c, "one", one, one, 2, "");
+    put_number(c, "two", two, two, 2, "");
+    return some && two < one;
+}
+
 static bool short_scans(struct claims *c)
 {
     double waves = INFINITY;
@@ -937,6 +953,7 @@ static const struct claim_row {
     {"scans-to-decide", CLAIM_VERDICT, scans_to_decide, once},
     {"uncertainty", CLAIM_UNCERTAINTY, uncertainty, once},
     {"not-flat-assumed", CLAIM_UNCERTAINTY, not_flat_assumed, once},
+    {"one-direction", CLAIM_UNCERTAINTY, one_direction, once},
     {"short-scans", CLAIM_UNCERTAINTY, short_scans, once},
     {"direct", CLAIM_CONTEXT, direct, once},
     {"textbook", CLAIM_CONTEXT, textbook, once},

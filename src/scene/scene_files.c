@@ -327,6 +327,53 @@ static int compare_repeats(const void *a, const void *b)
     return order ? order : strverscmp(first, second);
 }
 
+/* Ends of names, behind a mark, of the scans in two directions of a surface. */
+static const char *const directions[][2] = {{"x", "y"}, {"0", "90"}, {"across", "along"}, {"q", "l"}, {"perp", "par"}};
+
+/* How many bytes of a surface's name are before such a word, which the number of a scan may follow; 0: it is not there.
+ */
+static size_t before_word(const struct scene_surface *surface, const char *word)
+{
+    const size_t length = strlen(word), ends[] = {strlen(surface->name), root_length(surface->files.path[0])};
+    for (int k = 0; k < 2; k++) {
+        const char *at = surface->name + ends[k] - length;
+        if (ends[k] <= ends[0] && ends[k] > length + 1 && strncasecmp(at, word, length) == 0 &&
+            strchr(repeat_marks, at[-1]))
+            return ends[k] - length - 1;
+    }
+    return 0;
+}
+
+/* How many bytes two names have in common that tell two directions of a surface, the second along; 0: they do not. */
+static size_t two_directions(const struct scene_surface *one, const struct scene_surface *other)
+{
+    for (size_t i = 0; i < SCENE_COUNT(directions); i++) {
+        const size_t length = before_word(one, directions[i][0]);
+        if (length > 0 && length == before_word(other, directions[i][1]) &&
+            strncmp(one->name, other->name, length) == 0)
+            return length;
+    }
+    return 0;
+}
+
+static void join_directions(struct scene *scene)
+{
+    struct scene_surface *all = scene->surfaces;
+    for (size_t i = 0; i < scene->surface_count; i++)
+        for (size_t j = 0; j < scene->surface_count; j++) {
+            const size_t length = two_directions(&all[i], &all[j]);
+            if (length == 0)
+                continue;
+            all[i].name[length] = '\0';
+            all[i].along = all[j].files;
+            all[j].files = (struct scene_files){0};
+            scene_surfaces_free(&all[j]);
+            memmove(all + j, all + j + 1, (--scene->surface_count - j) * sizeof *all);
+            i -= j < i;
+            break;
+        }
+}
+
 enum status_code scene_join_repeats(struct scene *scene, struct status *status)
 {
     struct scene_surface *all = scene->surfaces;
@@ -336,10 +383,15 @@ enum status_code scene_join_repeats(struct scene *scene, struct status *status)
         struct scene_surface *surface = &all[joined++];
         *surface = all[i];
         const char *file = surface->files.path[0];
-        for (end = i + 1; end < scene->surface_count && compare_roots(file, all[end].files.path[0]) == 0 &&
-                          scene_files_add(&surface->files, all[end].files.path[0], status) == STATUS_OK;
-             end++)
-            scene_surfaces_free(&all[end]);
+        for (end = i + 1; end < scene->surface_count && compare_roots(file, all[end].files.path[0]) == 0;)
+            end++;
+        if (end == i + 2 && (two_directions(&all[i], &all[i + 1]) || two_directions(&all[i + 1], &all[i])))
+            end--;
+        for (size_t k = i + 1; k < end; k++) {
+            enum status_code rc = scene_files_add(&surface->files, all[k].files.path[0], status);
+            (void)rc; /* the status tells */
+            scene_surfaces_free(&all[k]);
+        }
         if (end == i + 1)
             continue;
         free(surface->name);
@@ -347,5 +399,7 @@ enum status_code scene_join_repeats(struct scene *scene, struct status *status)
             (void)status_memory(status);
     }
     scene->surface_count = joined;
+    if (status->code == STATUS_OK)
+        join_directions(scene);
     return status->code == STATUS_OK ? tell_apart(scene, status) : status->code;
 }
