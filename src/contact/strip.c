@@ -3,7 +3,6 @@
 
 #include "base/fft.h"
 #include "base/isotonic.h"
-#include "base/smooth.h"
 #include "contact/corrected_persson.h"
 #include "direct/direct_constriction.h"
 #include "direct/direct_quantities.h"
@@ -282,7 +281,6 @@ struct strip_ratio strip_ratio_at(const struct strip *strip, double area_ratio)
 }
 
 static const double grid_step = 0.05; /* in logit A */
-enum { EACH = 4 };                    /* of its nodes sees the corrected theory, which is smooth, three steps or more */
 
 /** logit A below all solutions and at the corrected theory's end. Between them lies a grid that no list of loads moves;
  * returns its steps. */
@@ -292,13 +290,42 @@ static size_t range_of(double range[2], const struct strip *strip)
     range[1] = logit(corrected_persson_largest_area);
     for (size_t s = 0; s < strip->surrogates; s++)
         range[0] = fmin(range[0], strip->surrogate[s].logit[0]);
-    range[0] = fmin(range[0], range[1] - 3 * EACH * grid_step);
-    return EACH * (size_t)ceil((range[1] - range[0]) / (EACH * grid_step));
+    range[0] = fmin(range[0], range[1] - grid_step);
+    return (size_t)ceil((range[1] - range[0]) / grid_step);
 }
 
 static double area_of(const double range[2], double share)
 {
     return logistic(range[0] + (range[1] - range[0]) * share);
+}
+
+static const double smoothing_reach = 4; /* in widths, where the weight is 3e-4 */
+
+/** Replaces values, `stride` apart, by local lines: at each the least-squares line through all of them, weighted by a
+ * Gaussian of standard deviation `width` steps; a line stays as it is. False: out of memory. */
+static bool smooth_lines(double *value, size_t count, size_t stride, double width)
+{
+    const long most = (long)ceil(smoothing_reach * width), last = (long)count - 1;
+    double *before = width > 0 ? malloc((count + 1) * sizeof *before) : NULL;
+    if (!before)
+        return !(width > 0);
+    for (size_t i = 0; i < count; i++)
+        before[i] = value[i * stride];
+    for (long i = 0; i <= last; i++) {
+        double w0 = 0, w1 = 0, w2 = 0, y0 = 0, y1 = 0; /* moments of the weights, and of the values */
+        for (long k = i < most ? -i : -most; k <= most && i + k <= last; k++) {
+            const double x = (double)k / width, weight = exp(-x * x / 2), y = before[i + k];
+            w0 += weight;
+            w1 += weight * x;
+            w2 += weight * x * x;
+            y0 += weight * y;
+            y1 += weight * x * y;
+        }
+        const double spread = w0 * w2 - w1 * w1;
+        value[(size_t)i * stride] = spread > 0 ? (w2 * y0 - w1 * y1) / spread : before[i];
+    }
+    free(before);
+    return true;
 }
 
 /** The strip's ratios at the grid's nodes, smoothed. False: out of memory. */
@@ -353,63 +380,36 @@ struct nodes {
     size_t below, steps;
     double range[2], *area_ratio;
     double (*value)[3];                     /* ln of l and gap, and A/p, never rising among the nodes */
-    struct corrected_persson_point *theory; /* every EACH-th node's */
+    struct corrected_persson_point *theory; /* at all of them */
     struct strip_ratio *ratio;              /* of the nodes */
-    double (*least)[2];                     /* so much of ln of the theory's l and gap has to fall */
 };
 
 /* Share of the theory's fall with ln A that smoothed lengths and gaps keep where they would rise. */
 static const double least_fall = 0.2;
 
-/** ln of the theory at node k: the cubic through four. */
-static void between(double out[2], const struct corrected_persson_point *theory, size_t k, size_t steps)
-{
-    size_t first = k / EACH > 0 ? k / EACH - 1 : 0;
-    first = first + 3 > steps / EACH ? steps / EACH - 3 : first;
-    double t = (double)k / EACH - (double)first;
-    double weight[4] = {-(t - 1) * (t - 2) * (t - 3) / 6, t * (t - 2) * (t - 3) / 2, -t * (t - 1) * (t - 3) / 2,
-                        t * (t - 1) * (t - 2) / 6};
-    out[0] = out[1] = 0;
-    for (size_t i = 0; i < 4; i++) {
-        out[0] += weight[i] * log(theory[first + i].constriction_m);
-        out[1] += weight[i] * log(theory[first + i].separation_m);
-    }
-}
-
 static void fill_nodes(struct nodes *nodes, const struct strip *strip, const struct persson *persson,
                        bool with_separation)
 {
-    size_t below = nodes->below, all = below + nodes->steps + 1, few = below + nodes->steps / EACH + 1;
-    for (size_t k = below; k < few; k++)
-        nodes->area_ratio[k] = area_of(nodes->range, (double)(EACH * (k - below)) / (double)nodes->steps);
-    corrected_persson_curve(nodes->theory, nodes->area_ratio, few, persson, with_separation);
+    const size_t below = nodes->below, all = below + nodes->steps + 1;
+    const double falls = strip->smoothing > 0 ? least_fall : 0;
+    for (size_t k = below; k < all; k++)
+        nodes->area_ratio[k] = area_of(nodes->range, (double)(k - below) / (double)nodes->steps);
+    corrected_persson_curve(nodes->theory, nodes->area_ratio, all, persson, with_separation);
     for (size_t k = 0; k < all; k++) {
         double *value = nodes->value[k];
-        if (k >= below) {
-            nodes->area_ratio[k] = area_of(nodes->range, (double)(k - below) / (double)nodes->steps);
-            between(value, nodes->theory + below, k - below, nodes->steps);
-        } else { /* where the ratios go on as they end */
-            value[0] = log(nodes->theory[k].constriction_m);
-            value[1] = log(nodes->theory[k].separation_m);
-        }
-        const struct strip_ratio *ratio = &nodes->ratio[k >= below ? k - below : 0];
-        const double area = nodes->area_ratio[k], load = corrected_persson_load(area, persson->m2) * exp(ratio->load),
-                     falls = strip->smoothing > 0 ? least_fall : 0;
-        nodes->least[k][0] = falls * value[0];
-        nodes->least[k][1] = falls * value[1];
-        value[0] += ratio->constriction;
-        value[1] += ratio->separation;
+        const struct strip_ratio *ratio = &nodes->ratio[k >= below ? k - below : 0]; /* they go on as they end */
+        const double area = nodes->area_ratio[k], load = corrected_persson_load(area, persson->m2) * exp(ratio->load);
+        value[0] = (1 - falls) * log(nodes->theory[k].constriction_m) + ratio->constriction;
+        value[1] = (1 - falls) * log(nodes->theory[k].separation_m) + ratio->separation;
         value[2] = k > below ? fmin(nodes->value[k - 1][2], area / load) : area / load;
     }
     for (size_t q = 0; q < 1 + (size_t)with_separation; q++) {
         double raw = nodes->value[below][q];
-        for (size_t k = below; k < all; k++)
-            nodes->value[k][q] -= nodes->least[k][q];
         isotonic(&nodes->value[below][q], all - below, 3, true);
-        for (size_t k = below; k < all; k++)
-            nodes->value[k][q] += nodes->least[k][q];
         for (size_t k = 0; k < below; k++)
             nodes->value[k][q] += nodes->value[below][q] - raw;
+        for (size_t k = 0; k < all; k++)
+            nodes->value[k][q] += falls * log(q == 0 ? nodes->theory[k].constriction_m : nodes->theory[k].separation_m);
     }
 }
 
@@ -437,9 +437,8 @@ enum status_code strip_contact(struct strip_contact *contact, size_t count, cons
     nodes.area_ratio = malloc(most * sizeof *nodes.area_ratio);
     nodes.theory = malloc(most * sizeof *nodes.theory);
     nodes.value = malloc(most * sizeof *nodes.value);
-    nodes.least = malloc(most * sizeof *nodes.least);
     nodes.ratio = malloc((nodes.steps + 1) * sizeof *nodes.ratio);
-    if (!nodes.area_ratio || !nodes.theory || !nodes.value || !nodes.least || !nodes.ratio ||
+    if (!nodes.area_ratio || !nodes.theory || !nodes.value || !nodes.ratio ||
         !fill_ratios(nodes.ratio, nodes.range, nodes.steps, strip)) {
         (void)status_memory(status);
     } else {
@@ -452,7 +451,6 @@ enum status_code strip_contact(struct strip_contact *contact, size_t count, cons
     free(nodes.area_ratio);
     free(nodes.theory);
     free(nodes.value);
-    free(nodes.least);
     free(nodes.ratio);
     return status->code;
 }

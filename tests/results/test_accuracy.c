@@ -39,6 +39,15 @@ TEST_CASE(every_model_has_its_error)
     assert_near(model_sd(strip, QUANTITY_MEAN_GAP, false), 0.48, 1e-12);
     assert_near(model_sd(strip, QUANTITY_JOINT_ECR, false), 0.54, 1e-12);
     assert_near(model_factor(0.54), 2.8816, 1e-4);
+    for (size_t m = 0; m < model_count; m++) /* of two directions: strips' alone are another, and never larger */
+        for (int q = QUANTITY_AREA; q < QUANTITY_COUNT; q++) {
+            const double one = model_sd(model_rows[m], (enum quantity)q, false),
+                         two = model_sd(model_rows[m], (enum quantity)q, true);
+            assert_true(model_rows[m]->uses_strip ? two <= one : two == one);
+        }
+    assert_near(model_sd(strip, QUANTITY_AREA, true), 0.28, 1e-12);
+    assert_near(model_sd(strip, QUANTITY_MEAN_GAP, true), 0.38, 1e-12);
+    assert_near(model_sd(strip, QUANTITY_JOINT_ECR, true), 0.42, 1e-12);
 }
 
 /* No other is as cheap and better; times are those of the run. */
