@@ -123,7 +123,8 @@ static enum status_code run_model(struct surface_record *record, size_t m, const
     if (curve->exists)
         curve_summary_make(model, curve, model_rows[m], record->summary.asperities.sigma_m,
                            task->loads[model_task_operating(task)]);
-    const struct model_task middle = surface_middle_task(task);
+    struct model_task middle = surface_middle_task(task);
+    middle.flatter.strip = NULL; /* the changes are of the steeper direction */
     if ((several && curve_summary_put_estimates(model, result.estimates, status) != STATUS_OK) ||
         sensitivity_run(&model->sensitivity, &record->variants, model_rows[m], &middle, status) != STATUS_OK)
         return status->code;

@@ -19,7 +19,6 @@ struct model_strips {
     const struct spectrum *spectrum;
     const struct strip *strip;
     const struct bearing *bearing;
-    size_t scans;
 };
 
 /** What scans tell of their surface beside their numbers. */
@@ -46,8 +45,8 @@ struct model_task {
     const struct strip_rows *rows; /* its profiles; NULL: not there */
     const struct strip *strip;     /* these solved as a strip, for models that use_strip; NULL: not there */
     const struct bearing *bearing; /* their heights in order, for those that are plastic too; NULL: not there */
-    struct model_strips flatter; /* of the flatter of two directions, for models that use_strip, where it has a share of
-                                    the answer (ensemble_curve()); strip NULL: it has none */
+    struct model_strips flatter; /* of the flatter of two directions, for models that use_strip; strip NULL: there is
+                                    none, else it has a share of the answer */
     bool two_directions;         /* struct scans_reach */
     const struct transfer *transfer; /* a map's direct solution, for models that use_map; NULL: not there */
     uint64_t *evaluations; /* what running models takes is added here: visits of scales, laws at quadrature nodes, loads

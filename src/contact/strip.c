@@ -299,45 +299,32 @@ static double area_of(const double range[2], double share)
     return logistic(range[0] + (range[1] - range[0]) * share);
 }
 
-static const double smoothing_reach = 4; /* in widths, where the weight is 3e-4 */
-
-/** Replaces values, `stride` apart, by local lines: at each the least-squares line through all of them, weighted by a
- * Gaussian of standard deviation `width` steps; a line stays as it is. False: out of memory. */
-static bool smooth_lines(double *value, size_t count, size_t stride, double width)
+/** ln of the strip's ratios at the grid's nodes (those of struct strip_curve), each by the least-squares line through
+ * all of them, weighted by a Gaussian of the strip's smoothing in logit A (a local line: Cleveland, J. Am. Stat. Assoc.
+ * 74 (1979) 829); malloc'ed; NULL: out of memory. */
+static double (*smooth_ratios(const double range[2], size_t steps, const struct strip *strip))[3]
 {
-    const long most = (long)ceil(smoothing_reach * width), last = (long)count - 1;
-    double *before = width > 0 ? malloc((count + 1) * sizeof *before) : NULL;
-    if (!before)
-        return !(width > 0);
-    for (size_t i = 0; i < count; i++)
-        before[i] = value[i * stride];
-    for (long i = 0; i <= last; i++) {
-        double w0 = 0, w1 = 0, w2 = 0, y0 = 0, y1 = 0; /* moments of the weights, and of the values */
-        for (long k = i < most ? -i : -most; k <= most && i + k <= last; k++) {
-            const double x = (double)k / width, weight = exp(-x * x / 2), y = before[i + k];
-            w0 += weight;
-            w1 += weight * x;
-            w2 += weight * x * x;
-            y0 += weight * y;
-            y1 += weight * x * y;
-        }
-        const double spread = w0 * w2 - w1 * w1;
-        value[(size_t)i * stride] = spread > 0 ? (w2 * y0 - w1 * y1) / spread : before[i];
+    const double width = strip->smoothing / ((range[1] - range[0]) / (double)steps), reach = 4 * width;
+    double(*out)[3] = malloc(2 * (steps + 1) * sizeof *out), (*raw)[3] = out + steps + 1;
+    for (size_t k = 0; k <= steps && out; k++) {
+        const struct strip_ratio ratio = strip_ratio_at(strip, area_of(range, (double)k / (double)steps));
+        memcpy(out[k], (double[]){ratio.load, ratio.constriction, ratio.separation}, sizeof *out);
+        memcpy(raw[k], out[k], sizeof *out);
     }
-    free(before);
-    return true;
-}
-
-/** The strip's ratios at the grid's nodes, smoothed. False: out of memory. */
-static bool fill_ratios(struct strip_ratio *out, const double range[2], size_t steps, const struct strip *strip)
-{
-    const double width = strip->smoothing / ((range[1] - range[0]) / (double)steps);
-    enum { EACH_OF = sizeof *out / sizeof out->load };
-    for (size_t k = 0; k <= steps; k++)
-        out[k] = strip_ratio_at(strip, area_of(range, (double)k / (double)steps));
-    return smooth_lines(&out->load, steps + 1, EACH_OF, width) &&
-           smooth_lines(&out->constriction, steps + 1, EACH_OF, width) &&
-           smooth_lines(&out->separation, steps + 1, EACH_OF, width);
+    for (size_t k = 0; k <= steps && out && width > 0; k++) {
+        double w[3] = {0}, sum[2][3] = {{0}}; /* moments of the weights, and of the ratios */
+        for (size_t i = (size_t)fmax(0, (double)k - reach); i <= steps && (double)i <= (double)k + reach; i++) {
+            const double x = ((double)i - (double)k) / width, weight = exp(-x * x / 2);
+            for (int n = 0; n < 3; n++) {
+                w[n] += weight * pow(x, n);
+                sum[0][n] += weight * raw[i][n];
+                sum[1][n] += weight * raw[i][n] * x;
+            }
+        }
+        for (int n = 0; n < 3; n++)
+            out[k][n] = (w[2] * sum[0][n] - w[1] * sum[1][n]) / (w[0] * w[2] - w[1] * w[1]);
+    }
+    return out;
 }
 
 enum status_code strip_areas(double *area_ratio, const double *loads, size_t count, const struct strip *strip,
@@ -346,18 +333,18 @@ enum status_code strip_areas(double *area_ratio, const double *loads, size_t cou
     double range[2];
     size_t steps = range_of(range, strip), at = 0;
     double *load = malloc((steps + 1) * sizeof *load); /* ln p, never falling */
-    struct strip_ratio *ratio = malloc((steps + 1) * sizeof *ratio);
-    if (!load || !ratio || !fill_ratios(ratio, range, steps, strip)) {
+    double(*ratio)[3] = smooth_ratios(range, steps, strip);
+    if (!load || !ratio) {
         free(load);
         free(ratio);
         return status_memory(status);
     }
     for (size_t k = 0; k <= steps; k++) {
         double area = area_of(range, (double)k / (double)steps);
-        load[k] = log(corrected_persson_load(area, m2)) + ratio[k].load;
+        load[k] = log(corrected_persson_load(area, m2)) + ratio[k][0];
         load[k] = k > 0 ? fmax(load[k], load[k - 1]) : load[k];
     }
-    double lowest = exp(ratio[0].load);
+    double lowest = exp(ratio[0][0]);
     for (size_t i = 0; i < count; i++) {
         double wanted = log(loads[i]);
         while (at < steps && load[at + 1] < wanted)
@@ -381,7 +368,7 @@ struct nodes {
     double range[2], *area_ratio;
     double (*value)[3];                     /* ln of l and gap, and A/p, never rising among the nodes */
     struct corrected_persson_point *theory; /* at all of them */
-    struct strip_ratio *ratio;              /* of the nodes */
+    double (*ratio)[3];                     /* smooth_ratios() */
 };
 
 /* Share of the theory's fall with ln A that smoothed lengths and gaps keep where they would rise. */
@@ -397,10 +384,10 @@ static void fill_nodes(struct nodes *nodes, const struct strip *strip, const str
     corrected_persson_curve(nodes->theory, nodes->area_ratio, all, persson, with_separation);
     for (size_t k = 0; k < all; k++) {
         double *value = nodes->value[k];
-        const struct strip_ratio *ratio = &nodes->ratio[k >= below ? k - below : 0]; /* they go on as they end */
-        const double area = nodes->area_ratio[k], load = corrected_persson_load(area, persson->m2) * exp(ratio->load);
-        value[0] = (1 - falls) * log(nodes->theory[k].constriction_m) + ratio->constriction;
-        value[1] = (1 - falls) * log(nodes->theory[k].separation_m) + ratio->separation;
+        const double *ratio = nodes->ratio[k >= below ? k - below : 0]; /* they go on as they end */
+        const double area = nodes->area_ratio[k], load = corrected_persson_load(area, persson->m2) * exp(ratio[0]);
+        value[0] = (1 - falls) * log(nodes->theory[k].constriction_m) + ratio[1];
+        value[1] = (1 - falls) * log(nodes->theory[k].separation_m) + ratio[2];
         value[2] = k > below ? fmin(nodes->value[k - 1][2], area / load) : area / load;
     }
     for (size_t q = 0; q < 1 + (size_t)with_separation; q++) {
@@ -437,9 +424,8 @@ enum status_code strip_contact(struct strip_contact *contact, size_t count, cons
     nodes.area_ratio = malloc(most * sizeof *nodes.area_ratio);
     nodes.theory = malloc(most * sizeof *nodes.theory);
     nodes.value = malloc(most * sizeof *nodes.value);
-    nodes.ratio = malloc((nodes.steps + 1) * sizeof *nodes.ratio);
-    if (!nodes.area_ratio || !nodes.theory || !nodes.value || !nodes.ratio ||
-        !fill_ratios(nodes.ratio, nodes.range, nodes.steps, strip)) {
+    nodes.ratio = smooth_ratios(nodes.range, nodes.steps, strip);
+    if (!nodes.area_ratio || !nodes.theory || !nodes.value || !nodes.ratio) {
         (void)status_memory(status);
     } else {
         for (; nodes.below < count && contact[nodes.below].area_ratio < area_of(nodes.range, 0); nodes.below++)

@@ -223,7 +223,6 @@ struct mean {
     const struct ensemble *set;
     const struct model_row *model;
     const struct model_task *task;
-    const struct model_curve *flatter; /* that of the flatter of two directions; NULL: it has no share */
     const struct model_curve *joined; /* the curve of all rows in one strip, or of the textbook; NULL of other models */
 };
 
@@ -325,12 +324,7 @@ static void fill_band(struct ensemble_band *band, const struct estimate *estimat
         }
 }
 
-/* Of the flatter direction's answer: on 11 pieces of five measured maps it makes the rms error (ln area, gap,
- * resistance) of 1 + 1 scans .44 .81 .67 for .49 .85 .76, of 4 + 4 .32 .50 .41 for .33 .53 .45, of 12 + 12 .26 .38 .37
- * for .27 .40 .40. */
-static const double flatter_share = 0.25;
-
-/** Moves a point of the mean towards another curve's by `share` of the way in the logarithm. */
+/** Moves a point of the mean towards the joined rows' by `share` of the way in the logarithm. */
 static void join(struct contact_point *point, struct estimate *estimates, const struct contact_point *joined,
                  double share)
 {
@@ -339,21 +333,7 @@ static void join(struct contact_point *point, struct estimate *estimates, const 
         if (!isfinite(shift))
             continue;
         point->value[q] *= exp(shift);
-        if (estimates)
-            estimates[q].mean += shift;
-    }
-}
-
-/** The same of the flatter direction, of whose answer the scatter of so many times as many scans is that of the
- * other. */
-static void join_flatter(struct contact_point *point, struct estimate *estimates, const struct contact_point *flatter,
-                         double scans_over)
-{
-    const double narrower = sqrt(pow(1 - flatter_share, 2) + pow(flatter_share, 2) * scans_over);
-    join(point, estimates, flatter, flatter_share);
-    for (int q = QUANTITY_AREA; q < QUANTITY_COUNT; q++) {
-        estimates[q].s *= narrower;
-        estimates[q].half_width *= narrower;
+        estimates[q].mean += shift;
     }
 }
 
@@ -412,7 +392,6 @@ static enum status_code mean_curve(struct model_curve *curve, struct ensemble_re
         return status->code;
     curve->full.value[QUANTITY_LOAD] = curve->full_load;
     size_t count = joined && joined->count < task->load_count ? joined->count : task->load_count;
-    count = of->flatter && of->flatter->count < count ? of->flatter->count : count;
     for (size_t i = 0; i < count && all_reach(of->curves, i, task->loads[i]); i++) {
         struct contact_point *point = &curve->points[curve->count++];
         if (mean_point(point, estimates, of, i, status) != STATUS_OK)
@@ -420,9 +399,6 @@ static enum status_code mean_curve(struct model_curve *curve, struct ensemble_re
         point->value[QUANTITY_LOAD] = task->loads[i];
         if (joined)
             join(point, estimates, &joined->points[i], share);
-        if (of->flatter)
-            join_flatter(point, estimates, &of->flatter->points[i],
-                         (double)of->set->scan_count / (double)task->flatter.scans);
         joint_hold(i > 0 ? point - 1 : point, i > 0 ? 2 : 1, joint);
         const struct model_task here = model_task_at(task, &task->loads[i], 1);
         struct model_curve alone = {.exists = true, .points = point, .count = 1};
@@ -439,40 +415,13 @@ static enum status_code mean_curve(struct model_curve *curve, struct ensemble_re
     return STATUS_OK;
 }
 
-/** The curve of the flatter direction, which goes on as long as the other; its points malloc'ed. Not there: none has
- * a share. */
-static enum status_code run_flatter(struct model_curve *out, const struct model_row *model,
-                                    const struct model_task *task, struct status *status)
-{
-    struct model_task own = *task;
-    *out = (struct model_curve){.points = NULL};
-    if (!model->uses_strip || !task->flatter.strip)
-        return STATUS_OK;
-    own.spectrum = task->flatter.spectrum;
-    own.strip = task->flatter.strip;
-    own.bearing = task->flatter.bearing;
-    own.carries_on = true;
-    out->points = malloc((task->load_count + 1) * sizeof *out->points);
-    return out->points ? model_run(out, model, &own, status) : status_memory(status);
-}
-
 enum status_code ensemble_curve(struct model_curve *curve, struct ensemble_result *result, const struct ensemble *set,
                                 const struct model_row *model, const struct model_task *task, struct status *status)
 {
     struct ensemble_result unused = {.band = NULL};
     struct ensemble_curves curves;
-    struct model_curve flatter;
-    if (set->count <= 1 || model->uses_map) {
-        enum status_code rc = run_flatter(&flatter, model, task, status);
-        if (rc == STATUS_OK)
-            rc = model_run(curve, model, task, status);
-        if (flatter.exists && flatter.count < curve->count)
-            curve->count = flatter.count;
-        for (size_t i = 0; i < curve->count && flatter.exists; i++)
-            join(&curve->points[i], NULL, &flatter.points[i], flatter_share);
-        free(flatter.points);
-        return rc;
-    }
+    if (set->count <= 1 || model->uses_map)
+        return model_run(curve, model, task, status);
     result = result ? result : &unused;
     for (int q = 0; q < CURVE_ESTIMATES; q++)
         result->estimates[q] = estimate_none;
@@ -490,15 +439,9 @@ enum status_code ensemble_curve(struct model_curve *curve, struct ensemble_resul
         rc = status_memory(status);
     if (rc == STATUS_OK && (model->uses_strip || model->textbook))
         rc = model_run(&joined, model, task, status);
-    if (rc == STATUS_OK)
-        rc = run_flatter(&flatter, model, task, status);
-    else
-        flatter = (struct model_curve){.points = NULL};
-    const struct mean of = {
-        &curves, set, model, task, flatter.exists ? &flatter : NULL, joined.exists ? &joined : NULL};
+    const struct mean of = {&curves, set, model, task, joined.exists ? &joined : NULL};
     if (rc == STATUS_OK && curves.count > 0)
         rc = mean_curve(curve, result, &of, status);
-    free(flatter.points);
     free(joined.points);
     ensemble_curves_free(&curves);
     return rc;

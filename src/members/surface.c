@@ -63,7 +63,7 @@ struct model_task surface_model_task(const struct surface_record *record, const 
         .two_directions = surface_knows_both(&record->summary),
         .flatter = flatter && flatter->strips.joined
                        ? (struct model_strips){&flatter->spectrum, &flatter->strips.joined->strip,
-                                               &flatter->strips.joined->bearing, flatter->summary.scans}
+                                               &flatter->strips.joined->bearing}
                        : (struct model_strips){NULL},
     };
 }
