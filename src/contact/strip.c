@@ -304,25 +304,31 @@ static double area_of(const double range[2], double share)
  * 74 (1979) 829); malloc'ed; NULL: out of memory. */
 static double (*smooth_ratios(const double range[2], size_t steps, const struct strip *strip))[3]
 {
-    const double width = strip->smoothing / ((range[1] - range[0]) / (double)steps), reach = 4 * width;
-    double(*out)[3] = malloc(2 * (steps + 1) * sizeof *out), (*raw)[3] = out + steps + 1;
+    enum { REACH = 160 }; /* steps: four widths */
+    const double width = strip->smoothing / ((range[1] - range[0]) / (double)steps);
+    const size_t reach = (size_t)fmin(4 * width, REACH);
+    double(*out)[3] = malloc(2 * (steps + 1) * sizeof *out), (*raw)[3] = out + steps + 1, weight[REACH + 1];
+    for (size_t k = 0; k <= reach; k++)
+        weight[k] = width > 0 ? exp(-pow((double)k / width, 2) / 2) : 1;
     for (size_t k = 0; k <= steps && out; k++) {
         const struct strip_ratio ratio = strip_ratio_at(strip, area_of(range, (double)k / (double)steps));
         memcpy(out[k], (double[]){ratio.load, ratio.constriction, ratio.separation}, sizeof *out);
         memcpy(raw[k], out[k], sizeof *out);
     }
     for (size_t k = 0; k <= steps && out && width > 0; k++) {
-        double w[3] = {0}, sum[2][3] = {{0}}; /* moments of the weights, and of the ratios */
-        for (size_t i = (size_t)fmax(0, (double)k - reach); i <= steps && (double)i <= (double)k + reach; i++) {
-            const double x = ((double)i - (double)k) / width, weight = exp(-x * x / 2);
+        double w0 = 0, w1 = 0, w2 = 0, sum[2][3] = {{0}}; /* moments of the weights, and of the ratios */
+        for (size_t i = k > reach ? k - reach : 0; i <= steps && i <= k + reach; i++) {
+            const double x = (double)i - (double)k, w = weight[i > k ? i - k : k - i];
+            w0 += w;
+            w1 += w * x;
+            w2 += w * x * x;
             for (int n = 0; n < 3; n++) {
-                w[n] += weight * pow(x, n);
-                sum[0][n] += weight * raw[i][n];
-                sum[1][n] += weight * raw[i][n] * x;
+                sum[0][n] += w * raw[i][n];
+                sum[1][n] += w * x * raw[i][n];
             }
         }
         for (int n = 0; n < 3; n++)
-            out[k][n] = (w[2] * sum[0][n] - w[1] * sum[1][n]) / (w[0] * w[2] - w[1] * w[1]);
+            out[k][n] = (w2 * sum[0][n] - w1 * sum[1][n]) / (w0 * w2 - w1 * w1);
     }
     return out;
 }
