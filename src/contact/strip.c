@@ -304,9 +304,9 @@ static double area_of(const double range[2], double share)
  * 74 (1979) 829); malloc'ed; NULL: out of memory. */
 static double (*smooth_ratios(const double range[2], size_t steps, const struct strip *strip))[3]
 {
-    enum { REACH = 160 }; /* steps: four widths */
+    enum { REACH = 120 }; /* steps: three widths */
     const double width = strip->smoothing / ((range[1] - range[0]) / (double)steps);
-    const size_t reach = (size_t)fmin(4 * width, REACH);
+    const size_t reach = (size_t)fmin(3 * width, REACH);
     double(*out)[3] = malloc(2 * (steps + 1) * sizeof *out), (*raw)[3] = out + steps + 1, weight[REACH + 1];
     for (size_t k = 0; k <= reach; k++)
         weight[k] = width > 0 ? exp(-pow((double)k / width, 2) / 2) : 1;

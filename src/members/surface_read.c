@@ -205,7 +205,7 @@ static enum status_code describe(struct surface_record *record, struct power_law
 
 static bool is_map(const struct surface_record *record)
 {
-    return record->ensemble.members[0].is_row;
+    return record->ensemble.count == 0 || record->ensemble.members[0].is_row;
 }
 
 /** What of a surface is of its scans in either direction. */

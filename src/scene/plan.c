@@ -140,15 +140,12 @@ void plan_choose_model(struct scene *scene)
     struct plan plan;
     plan_make(&plan, scene, NULL);
     const bool hard = plan_runs(&plan, EFFECT_PLASTICITY);
-    bool both = true; /* are all surfaces known in two directions? */
-    for (size_t k = 0; k < scene->surface_count; k++)
-        both = both && (scene->lay_given || scene->surfaces[k].lay_given || scene->surfaces[k].along.count > 0);
     size_t chosen = model_count;
     bool met = false;
     for (size_t m = 0; m < model_count; m++) {
         const struct model_row *row = model_rows[m], *before = chosen < model_count ? model_rows[chosen] : NULL;
         const double sd =
-            plan_runs_model(&plan, m) && row->plastic == hard ? model_sd(row, asked_quantity(&plan, scene), both) : 0;
+            plan_runs_model(&plan, m) && row->plastic == hard ? model_sd(row, asked_quantity(&plan, scene), false) : 0;
         const bool good = model_factor(sd) - 1 <= scene->accuracy;
         if (!(sd > 0) || (met && !good))
             continue;

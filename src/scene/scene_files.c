@@ -330,30 +330,29 @@ static int compare_repeats(const void *a, const void *b)
 /* Ends of names, behind a mark, of the scans in two directions of a surface. */
 static const char *const directions[][2] = {{"x", "y"}, {"0", "90"}, {"across", "along"}, {"q", "l"}, {"perp", "par"}};
 
-/* How many bytes of a surface's name are before such a word, which the number of a scan may follow; 0: it is not there.
- */
-static size_t before_word(const struct scene_surface *surface, const char *word)
+/* Which of these words a surface's name ends in, one a pair (x 0, y 1, 0 2, ...), before the number of a scan if there
+ * is one, and how many bytes are before it; -1: in none. */
+static int direction_of(size_t *before, const struct scene_surface *surface)
 {
-    const size_t length = strlen(word), ends[] = {strlen(surface->name), root_length(surface->files.path[0])};
-    for (int k = 0; k < 2; k++) {
-        const char *at = surface->name + ends[k] - length;
-        if (ends[k] <= ends[0] && ends[k] > length + 1 && strncasecmp(at, word, length) == 0 &&
-            strchr(repeat_marks, at[-1]))
-            return ends[k] - length - 1;
+    const size_t ends[] = {strlen(surface->name), root_length(surface->files.path[0])};
+    for (int i = 0; i < 2 * (int)(2 * SCENE_COUNT(directions)); i++) {
+        const char *word = directions[i / 4][i / 2 % 2];
+        const size_t length = strlen(word), end = ends[i % 2];
+        const char *at = surface->name + end - length;
+        *before = end - length - 1;
+        if (end <= ends[0] && end > length + 1 && strncasecmp(at, word, length) == 0 && strchr(repeat_marks, at[-1]))
+            return i / 2;
     }
-    return 0;
+    return -1;
 }
 
 /* How many bytes two names have in common that tell two directions of a surface, the second along; 0: they do not. */
 static size_t two_directions(const struct scene_surface *one, const struct scene_surface *other)
 {
-    for (size_t i = 0; i < SCENE_COUNT(directions); i++) {
-        const size_t length = before_word(one, directions[i][0]);
-        if (length > 0 && length == before_word(other, directions[i][1]) &&
-            strncmp(one->name, other->name, length) == 0)
-            return length;
-    }
-    return 0;
+    size_t length, along;
+    const int across = direction_of(&length, one);
+    const bool are = across >= 0 && across % 2 == 0 && direction_of(&along, other) == across + 1 && length == along;
+    return are && strncmp(one->name, other->name, length) == 0 ? length : 0;
 }
 
 static void join_directions(struct scene *scene)

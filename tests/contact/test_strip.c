@@ -131,6 +131,30 @@ TEST_CASE(areas)
     assert_near(strip_ratio_at(&strip, 1e-6).separation, strip_ratio_at(&strip, 1e-4).separation, 1e-12);
 }
 
+/** Ratios smoothed in logit A: those that are a line stay, of a peak less is left, the wider the less. */
+TEST_CASE(smoothed)
+{
+    enum { LOADS = 40 };
+    static const double widths[] = {0, 0.6, 1};
+    double loads[LOADS], area[2][3][LOADS], off[3] = {0};
+    model_support_loads(loads, LOADS, 1e-4, 0.1);
+    for (int peaked = 0; peaked < 2; peaked++)
+        for (int w = 0; w < 3; w++) {
+            struct strip strip = {
+                .own = {.count = 4, .logit = {-9, -3, -2.5, 4}}, .surrogates = 1, .smoothing = widths[w]};
+            strip.surrogate[0] = strip.own;
+            for (size_t k = 0; k < 4; k++)
+                strip.own.value[k][0] = 0.05 * strip.own.logit[k] + (peaked && k == 1 ? 0.3 : 0);
+            expect_ok(strip_areas, area[peaked][w], loads, LOADS, &strip, 0.04);
+        }
+    for (size_t i = 0; i < LOADS; i++)
+        for (int w = 0; w < 3; w++) {
+            assert_near(area[0][w][i], area[0][0][i], 1e-6);
+            off[w] = fmax(off[w], fabs(log(area[1][w][i] / area[0][w][i])));
+        }
+    assert_true(off[0] > 1.05 * off[1] && off[1] > 1.05 * off[2] && off[2] > 0.01);
+}
+
 /* Pieces of a longer scan, one far above the other, are loaded by the steepness of their waves: what the step between
  * them has would leave out the light loads. */
 TEST_CASE(steps_between_rows_are_no_slope)
