@@ -161,6 +161,11 @@ bool model_area_is_pressed(const struct model_row *row, const struct contact_poi
     return row->plastic && area < 1 && fabs(area / load_over_hardness - 1) < 1e-3;
 }
 
+bool model_is_overloaded(const struct model_row *row, const struct contact_point *point, double load_over_hardness)
+{
+    return !row->plastic && point->value[QUANTITY_AREA] > 0 && load_over_hardness > point->value[QUANTITY_AREA];
+}
+
 size_t model_task_operating(const struct model_task *task)
 {
     return task->operating_place > 0 ? task->operating_place - 1 : task->load_count / 2;

@@ -178,6 +178,9 @@ double model_elastic_share(const struct model_row *row, const struct contact_poi
 /** Is the area P/H there, load and hardness alone, to a thousandth? Then no surface differs in it from another, and
  * more scans change nothing. Not where contact is full. */
 bool model_area_is_pressed(const struct model_row *row, const struct contact_point *point, double load_over_hardness);
+/** Does an elastic model's contact bear more than the hardness? Then its error is not known: the model answers for a
+ * contact that there is not. */
+bool model_is_overloaded(const struct model_row *row, const struct contact_point *point, double load_over_hardness);
 
 /** The separation to show: the adjusted one of models that have it. Other quantities are as they are. */
 enum quantity model_shown(const struct model_row *row, enum quantity quantity);

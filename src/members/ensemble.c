@@ -371,6 +371,10 @@ void ensemble_settle(struct estimate estimates[QUANTITY_COUNT], const struct con
     ensemble_hold(estimates, point, joint);
     if (model_area_is_pressed(model, point, pressure_Pa / joint->pair->hardness_Pa))
         estimates[QUANTITY_AREA].half_width = estimates[QUANTITY_AREA].next_half_width = NAN;
+    bool yields = (joint->effects & EFFECT_BIT(EFFECT_PLASTICITY)) &&
+                  model_is_overloaded(model, point, pressure_Pa / joint->pair->hardness_Pa);
+    for (int q = 0; q < QUANTITY_COUNT && yields; q++)
+        estimates[q].half_width = estimates[q].next_half_width = NAN;
 }
 
 static enum status_code mean_curve(struct model_curve *curve, struct ensemble_result *result, const struct mean *of,

@@ -27,8 +27,9 @@ double comparison_heights_factor(const struct results *results, size_t surface, 
     size_t leading = plan_leading_model(results->plan), gaussian = model_index(model_rows[leading]->gaussian);
     if (!plan_runs_model(results->plan, gaussian))
         return NAN;
-    return comparison_middle(results, leading, surface).value[quantity] /
-           comparison_middle(results, gaussian, surface).value[quantity];
+    double factor = comparison_middle(results, leading, surface).value[quantity] /
+                    comparison_middle(results, gaussian, surface).value[quantity];
+    return isfinite(factor) ? factor : NAN; /* a filler keeps the metals apart in one of them */
 }
 
 /** Takes the surface's values in the leading model at the middle load. */
@@ -56,10 +57,33 @@ struct comparison_pair comparison_of_two(const struct estimate *a, const struct 
                                     welch.high, welch.p};
 }
 
+/** The scatter that surfaces of one scan have on average, where there are some: three or more. One scan's own comes
+ * from few degrees of freedom, and among many surfaces some is far too small by chance. */
+static double usual_scatter(const struct estimate *const *estimates, size_t count)
+{
+    double sum = 0, of = 0;
+    for (size_t i = 0; i < count; i++)
+        if (estimates[i]->count == 1 && estimates[i]->s > 0) {
+            sum += estimates[i]->s * estimates[i]->s;
+            of++;
+        }
+    return of >= 3 ? sqrt(sum / of) : 0;
+}
+
+/** No surface of one scan is held to scatter less than that. */
+static struct estimate of_usual_scatter(const struct estimate *estimate, double least)
+{
+    struct estimate out = *estimate;
+    if (out.count == 1 && out.s > 0)
+        out.s = fmax(out.s, least);
+    return out;
+}
+
 enum status_code comparison_test(struct comparison_ranking *ranking, const struct estimate *const *estimates,
                                  struct status *status)
 {
     size_t count = ranking->count, pairs = count * (count - (count > 0)) / 2;
+    double least = usual_scatter(estimates, count);
     double *p = malloc((pairs + 1) * sizeof *p);
     bool *apart = malloc((pairs + 1) * sizeof *apart);
     ranking->pairs = malloc((pairs + 1) * sizeof *ranking->pairs);
@@ -67,7 +91,9 @@ enum status_code comparison_test(struct comparison_ranking *ranking, const struc
     for (size_t i = 0; i < count && rc == STATUS_OK; i++)
         for (size_t j = i + 1; j < count; j++) {
             size_t k = ranking_pair(i, j, count);
-            ranking->pairs[k] = comparison_of_two(estimates[i], estimates[j]);
+            const struct estimate one = of_usual_scatter(estimates[i], least),
+                                  other = of_usual_scatter(estimates[j], least);
+            ranking->pairs[k] = comparison_of_two(&one, &other);
             p[k] = ranking->pairs[k].p;
         }
     if (rc == STATUS_OK)

@@ -99,6 +99,8 @@ PLACED(test_heights_factor)
     models[g] = &gaussian;
     made.plan.models |= MODEL_BIT(s) | MODEL_BIT(g);
     double factor = comparison_heights_factor(&made.results, 1, QUANTITY_ECR);
+    strip.operating.value[QUANTITY_ECR] = INFINITY; /* a filler keeps the metals apart */
+    double apart = comparison_heights_factor(&made.results, 1, QUANTITY_ECR);
     gaussian.exists = false;
     double without = comparison_heights_factor(&made.results, 1, QUANTITY_ECR);
     made.plan.models &= ~MODEL_BIT(g);
@@ -106,5 +108,23 @@ PLACED(test_heights_factor)
     models[s] = before[0];
     models[g] = before[1];
     assert_near(factor, 3, 1e-12);
-    assert_true(isnan(without) && isnan(alone));
+    assert_true(isnan(apart) && isnan(without) && isnan(alone));
+}
+
+/* Four surfaces of one scan each, of which one scatters little by chance: it is not told apart where it would be by its
+ * own scatter alone, as two surfaces are, or one of more scans. */
+TEST_CASE(test_a_scan_that_scatters_little_by_chance)
+{
+    struct estimate of[] = {estimate_of_error(1, 0.3, 4), estimate_of_error(1.1, 0.3, 4),
+                            estimate_of_error(2.2, 0.02, 4), estimate_of_error(2.2, 0.02, 4)};
+    const struct estimate *estimates[] = {&of[0], &of[1], &of[2], &of[3]};
+    const struct comparison_pair two = comparison_of_two(&of[0], &of[2]);
+    for (size_t scans = 1; scans < 4; scans += 2) {
+        struct comparison_ranking ranking = {.count = 4};
+        of[2].count = of[3].count = scans;
+        expect_ok(comparison_test, &ranking, estimates);
+        const struct comparison_pair *pair = comparison_pair_of(&ranking, 0, 2);
+        assert_true((pair->high - pair->low > 1.01 * (two.high - two.low)) == (scans == 1));
+        comparison_ranking_free(&ranking);
+    }
 }

@@ -20,6 +20,9 @@ enum {
     MAPS_EACH = 12,
     MAPS = 2, /* of either half */
     POWER_EACH = 10,
+    FAMILIES = 4, /* of a kind */
+    MEMBERS = 20,
+    SCANS_EACH = 4, /* of a surface, that lie two of the longest waves apart */
     KINDS = 5,
     HARDNESSES = 4,
     SETS = 4,
@@ -76,21 +79,28 @@ static double *make_surface(const struct kind *kind, uint64_t seed)
     return height_m;
 }
 
+/** The first half of a row as a scan NAME/NUMBER.csv. */
+static void write_scan(const struct directory *place, const char *name, size_t number, const double *z, double stretch)
+{
+    char file[32];
+    struct text text = {0};
+    text_add(&text, "x [um],z [nm]\n");
+    for (size_t i = 0; i < SIDE / 2; i++)
+        text_add(&text, "%zu,%.9g\n", i, stretch * z[i] * 1e9);
+    snprintf(file, sizeof file, "%s/%zu.csv", name, number);
+    directory_write(place, file, text_string(&text));
+    text_free(&text);
+}
+
 /** `count` scans of a half, from its edge, or (0) a map of the middle of its left or right half. */
 static void write_half(const struct directory *place, const char *name, const double *height_m, int half, size_t right,
                        size_t count, double stretch)
 {
     char file[32];
     struct text text = {0};
-    for (size_t r = 0; r < count; r++) {
-        const double *z = height_m + (size_t)half * SIDE / 2 * SIDE + (2 * r + 1) * SIDE / 2 / (2 * count) * SIDE;
-        text_add(&text, "x [um],z [nm]\n");
-        for (size_t i = 0; i < SIDE / 2; i++)
-            text_add(&text, "%zu,%.9g\n", i, stretch * z[i] * 1e9);
-        snprintf(file, sizeof file, "%s/%zu.csv", name, r);
-        directory_write(place, file, text_string(&text));
-        text_free(&text);
-    }
+    for (size_t r = 0; r < count; r++)
+        write_scan(place, name, r, height_m + ((size_t)half * SIDE / 2 + (2 * r + 1) * SIDE / 2 / (2 * count)) * SIDE,
+                   stretch);
     if (count > 0)
         return;
     text_add(&text, "Gwyddion Simple Field 1.0\nXRes = %d\nYRes = %d\nXReal = %.9g\nYReal = %.9g\n", MAP, MAP,
@@ -144,38 +154,109 @@ static void compare(struct count *out, const struct surface_summary *first, cons
     }
 }
 
-/** What the analysis says of the surfaces, those of one half held against each of the other's. */
-static void hold(struct count *out, const struct directory *place)
-{
+/** The surfaces of a scene as the analysis leaves them. Owned: end_analysis(). */
+struct analysis {
     struct scene scene;
+    struct surface_record *record;
+    size_t leading;
+};
+
+static void analyse(struct analysis *out, const struct directory *place)
+{
     struct plan plan;
     struct status status = {0};
-    struct surface_record record[2 * MAPS] = {{.summary = {.scene = NULL}}};
     double *loads;
     size_t count, operating;
-    coverage_must(scene_read(&scene, place->path, NULL, &status), &status);
-    plan_make(&plan, &scene, NULL);
-    struct material_pair pair = scene_pair(&scene.surfaces[0].bodies);
-    coverage_must(scene_loads(&loads, &count, &operating, &scene, &pair, &status), &status);
+    coverage_must(scene_read(&out->scene, place->path, NULL, &status), &status);
+    plan_make(&plan, &out->scene, NULL);
+    struct material_pair pair = scene_pair(&out->scene.surfaces[0].bodies);
+    coverage_must(scene_loads(&loads, &count, &operating, &out->scene, &pair, &status), &status);
     plan.operating_place = operating + 1;
-    const struct surface_task task = {.scene = &scene, .plan = &plan, .loads = loads, .load_count = count};
-    for (size_t k = 0; k < scene.surface_count; k++) {
-        coverage_must(surface_read(&record[k], &scene, &scene.surfaces[k], NULL, &status), &status);
-        if (!record[k].summary.usable)
+    out->record = coverage_allocate(out->scene.surface_count, sizeof *out->record);
+    const struct surface_task task = {.scene = &out->scene, .plan = &plan, .loads = loads, .load_count = count};
+    for (size_t k = 0; k < out->scene.surface_count; k++) {
+        coverage_must(surface_read(&out->record[k], &out->scene, &out->scene.surfaces[k], NULL, &status), &status);
+        if (!out->record[k].summary.usable)
             coverage_must(STATUS_SCAN, &(struct status){.message = "a surface was refused"});
-        coverage_must(effects_bound(&record[k], &task, &status), &status);
+        coverage_must(effects_bound(&out->record[k], &task, &status), &status);
     }
-    effects_decide(&plan, &scene, record, scene.surface_count);
-    for (size_t k = 0; k < scene.surface_count; k++)
-        coverage_must(surface_answers_find(&record[k], &task, &status), &status);
-    effects_fit_models(&plan, record, scene.surface_count);
-    size_t leading = plan_leading_model(&plan), each = scene.surface_count / 2;
-    for (size_t k = 0; k < each * each; k++)
-        compare(out, &record[k / each].summary, &record[each + k % each].summary, leading);
-    for (size_t k = 0; k < scene.surface_count; k++)
-        surface_record_free(&record[k]);
+    effects_decide(&plan, &out->scene, out->record, out->scene.surface_count);
+    for (size_t k = 0; k < out->scene.surface_count; k++)
+        coverage_must(surface_answers_find(&out->record[k], &task, &status), &status);
+    effects_fit_models(&plan, out->record, out->scene.surface_count);
+    out->leading = plan_leading_model(&plan);
     free(loads);
-    scene_free(&scene);
+}
+
+static void end_analysis(struct analysis *analysis)
+{
+    for (size_t k = 0; k < analysis->scene.surface_count; k++)
+        surface_record_free(&analysis->record[k]);
+    free(analysis->record);
+    scene_free(&analysis->scene);
+}
+
+/** Surfaces of one half held against each of the other's. */
+static void hold(struct count *out, const struct directory *place)
+{
+    struct analysis analysis;
+    analyse(&analysis, place);
+    size_t each = analysis.scene.surface_count / 2;
+    for (size_t k = 0; k < each * each; k++)
+        compare(out, &analysis.record[k / each].summary, &analysis.record[each + k % each].summary, analysis.leading);
+    end_analysis(&analysis);
+}
+
+/** Are any two of a family told apart, as a report ranks its surfaces? */
+static bool family_apart(const struct directory *place)
+{
+    struct analysis analysis;
+    struct status status = {0};
+    struct comparison_ranking ranking = {.count = MEMBERS};
+    const struct estimate *estimates[MEMBERS];
+    bool apart = false;
+    analyse(&analysis, place);
+    for (size_t k = 0; k < MEMBERS; k++)
+        estimates[k] =
+            curve_summary_estimate(surface_model(&analysis.record[k].summary, analysis.leading), QUANTITY_ECR);
+    coverage_must(comparison_test(&ranking, estimates, &status), &status);
+    for (size_t k = 0; k < MEMBERS * (MEMBERS - 1) / 2; k++)
+        apart = apart || comparison_told_apart(&ranking.pairs[k]);
+    comparison_ranking_free(&ranking);
+    end_analysis(&analysis);
+    return apart;
+}
+
+/** One scan a surface of one population. */
+static void write_family(const struct directory *place, const struct kind *kind, uint64_t seed)
+{
+    for (size_t k = 0; k < MEMBERS / SCANS_EACH; k++) {
+        double *height_m = make_surface(kind, seed * MEMBERS + k);
+        for (size_t r = 0; r < SCANS_EACH; r++)
+            write_scan(place, (const char[]){(char)('a' + k * SCANS_EACH + r), 0}, 0,
+                       height_m + r * SIDE / SCANS_EACH * SIDE, 1);
+        free(height_m);
+    }
+}
+
+static void add_families(struct page *page)
+{
+    size_t apart[HARDNESSES] = {0};
+    page_rows(page, "families");
+    for (size_t k = 0; k < KINDS * FAMILIES; k++) {
+        struct directory place = directory_make();
+        fprintf(stderr, "a family of %s\n", kinds[k % KINDS].name);
+        write_family(&place, &kinds[k % KINDS], 1 + k);
+        for (size_t h = 0; h < HARDNESSES; h++) {
+            write_scene(&place, hardnesses[h]);
+            apart[h] += family_apart(&place);
+        }
+        directory_remove(&place);
+    }
+    text_add(&page->text, "| told apart |");
+    for (size_t h = 0; h < HARDNESSES; h++)
+        page_number(page, (double)apart[h] / (KINDS * FAMILIES), 0.05);
+    text_add(&page->text, "\n");
 }
 
 /** One kind of surface, `each` of them: the counts of every hardness. */
@@ -241,4 +322,5 @@ void nulls_add(struct page *page)
         }
         text_add(&page->text, "\n");
     }
+    add_families(page);
 }

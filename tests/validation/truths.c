@@ -2,8 +2,6 @@
 /* What is known in closed form or was published, and what the program says of it. */
 #include "validation/truths.h"
 
-#include "chart/chart.h"
-#include "chart/gnuplot.h"
 #include "contact/corrected_persson.h"
 #include "contact/random_surface.h"
 #include "contact/sinusoid.h"
@@ -73,51 +71,6 @@ static double truth_of(enum side side, const struct table *solved, size_t row, b
 {
     return side == SOLVED ? cell_of(NULL, solved, row, gap)
                           : asymptote(side, table_number(solved, row, "p_over_pstar"), gap);
-}
-
-/** The gap of figure 4.2, linear and as a logarithm. */
-static void draw_sinusoid(struct chart *chart, bool logarithm)
-{
-    static const struct chart_curve curves[] = {
-        {.legend = "(4.8), light loads", .colour = "#1257d0", .dash = 2},
-        {.legend = "(4.9), near complete", .colour = "#cc5500", .dash = 2},
-        {.legend = "(4.10)", .colour = "#000000"},
-        {.kind = CHART_POINTS, .legend = "solved", .colour = "#a8366a", .marker = 6}};
-    struct table solved = table_read("golden/sinusoid_bem.csv");
-    chart_panel(chart, "", "Mean pressure over p*", "Gap over amplitude", false, logarithm);
-    for (size_t c = 0; c < 3; c++) {
-        chart_curve(chart, &curves[c]);
-        for (double x = 0.0025; x < 0.951; x += x < 0.02 ? 0.0025 : 0.01) {
-            double gap = c == 2 ? sinusoid_fits[SINUSOID_FIT_THESIS].gap(x) : asymptote((enum side)c, x, true);
-            if (!(gap > 0)) /* (4.8) from p/p* = 0.25 on */
-                break;
-            chart_row(chart, x, gap, 0, 0);
-        }
-    }
-    chart_curve(chart, &curves[3]);
-    for (size_t row = 0; row < solved.rows && table_number(&solved, row, "p_over_pstar") < 0.96; row++)
-        chart_row(chart, table_number(&solved, row, "p_over_pstar"), cell_of(NULL, &solved, row, true), 0, 0);
-}
-
-void truths_draw(const char *directory)
-{
-    struct directory place = directory_make();
-    struct status status = {0};
-    struct mustache_folder templates = {PROJECT_SOURCE "/templates", ".gp", NULL, &status};
-    struct chart chart = chart_make("figure-4-2");
-    chart.panel_height = 260;
-    struct gnuplot gnuplot;
-    draw_sinusoid(&chart, false);
-    draw_sinusoid(&chart, true);
-    coverage_must(chart_write(&chart, &templates, place.path), &status);
-    coverage_must(gnuplot_start(&gnuplot, place.path, &status), &status);
-    gnuplot_send(&gnuplot, "load 'figure-4-2.gp'\n");
-    coverage_must(gnuplot_finish(&gnuplot, &status), &status);
-    char *drawn = directory_read(&place, "figure-4-2.svg");
-    directory_write(directory, "figure-4-2.svg", drawn);
-    chart_free(&chart);
-    mustache_folder_free(&templates);
-    directory_remove(&place);
 }
 
 static void add_sinusoid(struct page *page)

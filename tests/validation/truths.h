@@ -19,8 +19,6 @@ void page_number(struct page *page, double value, double bound);
 
 /** Numbers known from elsewhere: up to the thesis's tables. */
 void truths_add(struct page *page);
-/** Draws figure 4.2 into the directory. */
-void truths_draw(const char *directory);
 /** Asperities of one of surfaces/chapter6, 1 to 4. */
 struct asperities truths_asperities(int surface);
 /** The integrals of the statistical models by the thesis's rule and by the program's. */

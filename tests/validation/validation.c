@@ -18,7 +18,6 @@
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_sort.h>
 #include <gsl/gsl_statistics_double.h>
-#include <libgen.h>
 
 enum { SIDE = 256, GIVEN = SIDE * SIDE, LAWS = HEIGHT_LAWS, HURSTS = 3, HARDNESSES = 3, ASKED = 3, LOADS = 9 };
 
@@ -240,15 +239,25 @@ static void write_scans(const struct directory *place, const double *height_m, c
 /** What was found of one number; model model_count + 1: by direct solution of a synthesis. */
 struct finding {
     size_t model, law, quantity, load;
+    size_t surface; /* counted from the first */
     bool leads;
-    double ln_ratio, ln_half_width; /* NaN: not printed */
-    bool holds;
+    double ln_ratio, ln_end[2]; /* of the answer to the solution, NaN: not printed, and of its interval's ends */
 };
 
 struct findings {
     struct finding *all;
-    size_t count;
+    size_t count, surfaces;
 };
+
+static bool has_interval(const struct finding *finding)
+{
+    return !isnan(finding->ln_end[0]);
+}
+
+static bool holds(const struct finding *finding)
+{
+    return finding->ln_end[0] <= 0 && finding->ln_end[1] >= 0;
+}
 
 static void add(struct findings *findings, const struct finding *finding)
 {
@@ -272,16 +281,13 @@ static void hold_curve(struct findings *findings, const struct surface_record *r
             if (fabs(curve->points[k].value[QUANTITY_LOAD] / (loads[i] * gradient) - 1) < 1e-9)
                 point = &curve->points[k];
         for (size_t a = 0; a < ASKED; a++) {
-            struct finding finding = {m, law, a, i, leads, NAN, NAN, false};
+            struct finding finding = {m, law, a, i, findings->surfaces, leads, NAN, {NAN, NAN}};
             double mine = point ? point->value[model_shown(model_rows[m], asked[a])] : NAN;
             if (mine > 0)
                 finding.ln_ratio = log(mine / value[a]);
-            if (mine > 0 && leads && record->bands[m]) {
-                const double *end = record->bands[m][i].mean[asked[a]];
-                double held =
-                    asked[a] == QUANTITY_SEPARATION ? value[a] / record->summary.asperities.sigma_m : value[a];
-                finding.ln_half_width = log(end[1] / end[0]) / 2;
-                finding.holds = held >= end[0] && held <= end[1];
+            for (size_t end = 0; end < 2 && mine > 0 && record->bands[m]; end++) {
+                double unit = asked[a] == QUANTITY_SEPARATION ? record->summary.asperities.sigma_m : 1;
+                finding.ln_end[end] = log(record->bands[m][i].mean[asked[a]][end] * unit / value[a]);
             }
             add(findings, &finding);
         }
@@ -305,7 +311,8 @@ static void hold_synthesis(struct findings *findings, const struct surface_recor
                                        2 * resistivity_ohm_m * truth[i].constriction_m};
                 double mine =
                     direct_study_value(&study, &record->summary.pair, DIRECT_STUDY_ELASTIC, asked[a], k, NULL);
-                add(findings, &(struct finding){model_count + 1, law, a, i, false, log(mine / value[a]), NAN, false});
+                add(findings,
+                    &(struct finding){model_count + 1, law, a, i, 0, false, log(mine / value[a]), {NAN, NAN}});
             }
     direct_study_free(&study);
 }
@@ -338,6 +345,7 @@ static void hold(struct findings *findings, const double *height_m, const struct
     for (size_t m = 0; m < model_count; m++)
         if (plan_runs_model(&plan, m) && (isinf(hardness) || model_rows[m]->plastic || !model_rows[m]->elastic))
             hold_curve(findings, &record, m, m == plan_leading_model(&plan), law, truth);
+    findings->surfaces++;
     if (part == &parts[SYNTHESIS])
         hold_synthesis(findings, &record, &scene, &plan, law, truth);
     surface_record_free(&record);
@@ -398,18 +406,18 @@ static void add_row(struct page *page, const char *name, const struct findings *
     text_add(&page->text, "\n");
 }
 
-/** How many truths lie beyond the leading answer's interval, and its median half width. */
-static void add_intervals(struct page *page, const struct findings *findings, double bound)
+/** How many truths lie beyond a model's interval (model_count: the leading answer's), and its median half width. */
+static void add_intervals(struct page *page, const struct findings *findings, size_t model, double bound)
 {
     double *half_width = coverage_allocate(findings->count + 1, sizeof *half_width), median[ASKED];
     for (size_t a = 0; a < ASKED; a++) {
         size_t count = 0, beyond = 0;
         for (size_t k = 0; k < findings->count; k++) {
             const struct finding *finding = &findings->all[k];
-            if (!is_of(finding, model_count, LAWS, a) || isnan(finding->ln_half_width))
+            if (!is_of(finding, model, LAWS, a) || !has_interval(finding))
                 continue;
-            half_width[count++] = finding->ln_half_width;
-            beyond += !finding->holds;
+            half_width[count++] = (finding->ln_end[1] - finding->ln_end[0]) / 2;
+            beyond += !holds(finding);
         }
         gsl_sort(half_width, 1, count);
         median[a] = exp(gsl_stats_median_from_sorted_data(half_width, 1, count));
@@ -419,6 +427,26 @@ static void add_intervals(struct page *page, const struct findings *findings, do
     free(half_width);
 }
 
+/** Of the intervals that two models have of one number, the share that do not overlap. */
+static void add_overlaps(struct page *page, const char *name, const struct findings *findings)
+{
+    text_add(&page->text, "| %s |", name);
+    for (size_t a = 0; a < ASKED; a++) {
+        size_t pairs = 0, apart = 0;
+        for (size_t k = 0; k < findings->count; k++)
+            for (size_t l = k + 1; l < findings->count && findings->all[l].surface == findings->all[k].surface; l++) {
+                const struct finding *one = &findings->all[k], *other = &findings->all[l];
+                if (one->quantity != a || other->quantity != a || one->load != other->load || !has_interval(one) ||
+                    !has_interval(other))
+                    continue;
+                pairs++;
+                apart += one->ln_end[0] > other->ln_end[1] || other->ln_end[0] > one->ln_end[1];
+            }
+        page_number(page, (double)apart / (double)pairs, 0.05);
+    }
+    text_add(&page->text, "\n");
+}
+
 /** Rms, share beyond the interval and its median half width: in two directions, and in one. */
 static void add_directions(struct page *page, const struct findings *findings)
 {
@@ -426,7 +454,7 @@ static void add_directions(struct page *page, const struct findings *findings)
     for (size_t p = TWO; p < PARTS; p++) {
         text_add(&page->text, "| %s | %g |", parts[p].title, parts[p].ratio);
         add_rms(page, &findings[p], model_count, LAWS, LOADS, NULL);
-        add_intervals(page, &findings[p], p < ONE ? 0.09 : 0);
+        add_intervals(page, &findings[p], model_count, p < ONE ? 0.09 : 0);
     }
 }
 
@@ -482,14 +510,24 @@ static void add_tables(struct page *page, const struct findings *findings)
             text_add(&page->text, "| %s |", parts[p].bounded);
             add_rms(page, &findings[p], model_count, LAWS, LOADS, parts[p].bound);
         }
-    struct findings half = {findings[SPECTRUM].all, findings[SPECTRUM].count / 2};
+    struct findings half = {findings[SPECTRUM].all, findings[SPECTRUM].count / 2, 0};
     text_add(&page->text, "| of these those of 4 waves |");
     add_rms(page, &half, model_count, LAWS, LOADS, (double[ASKED]){0});
     page_rows(page, "intervals");
     for (size_t p = 0; p <= HARD; p++) {
         text_add(&page->text, "| %s |", parts[p].title);
-        add_intervals(page, &findings[p], parts[p].bounded ? 0.12 : 0);
+        add_intervals(page, &findings[p], model_count, parts[p].bounded ? 0.12 : 0);
     }
+    page_rows(page, "models");
+    for (size_t p = 0; p <= HARD; p += HARD)
+        for (size_t m = 0; m < model_count; m++)
+            if (ran(&findings[p], m)) {
+                text_add(&page->text, "| %s | %s |", parts[p].title, model_rows[m]->name);
+                add_intervals(page, &findings[p], m, 0.1);
+            }
+    page_rows(page, "overlaps");
+    for (size_t p = 0; p <= HARD; p += HARD)
+        add_overlaps(page, parts[p].title, &findings[p]);
     add_directions(page, findings);
     add_synthesis(page, &findings[SYNTHESIS]);
 }
@@ -515,7 +553,6 @@ int main(int count, char **word)
     text_add(&page.text, "%s", page.rest);
     (void)remove(word[1]);
     coverage_must(text_write_file(word[1], text_string(&page.text), page.text.length, &status), &status);
-    truths_draw(dirname(word[1]));
     for (size_t p = 0; p < PARTS; p++)
         free(findings[p].all);
     text_free(&page.text);
