@@ -71,7 +71,7 @@ TEST_IN_WORKSPACE(a_connector)
                  " (95\u00a0%: ", "| as plated | 0.966 measured | 0.970 measured | ✓ met |", "| ? undecided |");
     expect_parts(page, "**Few spots:** about ", "**Your test:** 1\u00a0mΩ at 0.966\u00a0N. *as plated* conducts ",
                  " times what the model says (95\u00a0%: ", "**Uncertainty ×÷\u00a0", "from the choice of model",
-                 "**Flatness counts:** ", "**Textbook (CMY):** ", "of the resistance.", "heat the spots by ");
+                 "**Scan across too:** ", "**Flatness counts:** ", "**Textbook (CMY):** ", "of the resistance.");
     expect_kept_picture(place, "out/figures/answer.svg");
 }
 
