@@ -123,7 +123,8 @@ static enum status_code run_model(struct surface_record *record, size_t m, const
     if (curve->exists)
         curve_summary_make(model, curve, model_rows[m], record->summary.asperities.sigma_m,
                            task->loads[model_task_operating(task)]);
-    const struct model_task middle = surface_middle_task(task);
+    struct model_task middle = surface_middle_task(task);
+    middle.flatter.strip = NULL; /* the changes are of the steeper direction */
     if ((several && curve_summary_put_estimates(model, result.estimates, status) != STATUS_OK) ||
         sensitivity_run(&model->sensitivity, &record->variants, model_rows[m], &middle, status) != STATUS_OK)
         return status->code;
@@ -135,33 +136,6 @@ static enum status_code run_model(struct surface_record *record, size_t m, const
     note_model(record, m, result.left_out);
     if (model_rows[m]->uses_map && curve->exists)
         return uncertainty_of_map(record, m, task, &joint, status);
-    return STATUS_OK;
-}
-
-/** What a perfect lay, kappa = sqrt(1/2), would change in model `m`. Scaling x by 1/kappa leaves the contact the same
- * if the modulus becomes kappa E'. */
-static enum status_code run_perfect_lay(struct surface_record *record, size_t m, const struct model_task *task,
-                                        struct status *status)
-{
-    struct material_pair pair = record->summary.pair;
-    struct model_task one = surface_middle_task(task), lay = one;
-    double load = one.loads[0] / M_SQRT1_2, *out = record->summary.perfect_lay;
-    struct contact_point points[2][2] = {{{.value = {0}}}};
-    pair.effective_modulus_Pa *= M_SQRT1_2;
-    lay.loads = &load;
-    lay.pair = &pair;
-    out[0] = out[1] = NAN;
-    for (int k = 0; k < 2; k++) {
-        struct model_curve curve = {.points = points[k]};
-        const struct model_task *asked = k == 0 ? &one : &lay;
-        if (ensemble_curve(&curve, NULL, &record->ensemble, model_rows[m], asked, status) != STATUS_OK)
-            return status->code;
-        if (!curve.exists || curve.count == 0 || points[k][0].value[QUANTITY_LOAD] != asked->loads[0])
-            return STATUS_OK;
-    }
-    out[0] = points[1][0].value[QUANTITY_AREA] / points[0][0].value[QUANTITY_AREA];
-    if (points[0][0].value[QUANTITY_ECR] > 0)
-        out[1] = points[1][0].value[QUANTITY_ECR] / points[0][0].value[QUANTITY_ECR] / M_SQRT1_2;
     return STATUS_OK;
 }
 
@@ -193,6 +167,8 @@ static enum status_code solve_strips(struct surface_record *record, const struct
     enum status_code rc = strips_solve(strips, stop, status);
     if (rc == STATUS_OK && set->scan_count > 1)
         rc = strips_solve_members(strips, set, stop, status);
+    if (rc == STATUS_OK && record->flatter)
+        rc = strips_solve(&record->flatter->strips, stop, status);
     summary->has_strips = strips->joined;
     for (size_t p = 0; p < set->count; p++) {
         summary->has_strips = summary->has_strips || set->members[p].strip;
@@ -201,7 +177,7 @@ static enum status_code solve_strips(struct surface_record *record, const struct
     if (rc == STATUS_OK && !summary->has_strips)
         note_add(&summary->notes, NULL, "note.no_strips\nwhy\t%s", strips->problem.message);
     summary->strip_unsolved[0] = strips->unsolved;
-    summary->strip_transforms = strips->transforms;
+    summary->strip_transforms = strips->transforms + (record->flatter ? record->flatter->strips.transforms : 0);
     summary->times.strips = clock_seconds() - started;
     return rc;
 }
@@ -262,9 +238,6 @@ static enum status_code curves_run(struct surface_record *record, const struct s
     }
     task.evaluations = NULL;
     size_t leading = plan_leading_model(plan);
-    if (!record->summary.has_lay && plan_runs_model(plan, leading) &&
-        run_perfect_lay(record, leading, &task, status) != STATUS_OK)
-        return status->code;
     if (plan_runs(plan, EFFECT_UNCERTAINTY) && record->height_m &&
         uncertainty_run(record, asked, &task, status) != STATUS_OK)
         return status->code;

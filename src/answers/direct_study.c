@@ -82,8 +82,8 @@ static enum status_code find_rows(struct maker *maker, struct status *status)
             study->rows.amplitude_m[i] = direct_law_amplitude(&plan->law, i + 1);
         return STATUS_OK;
     }
-    const struct strip_rows rows = {maker->map.height_m,       maker->map.grid.ny,        maker->map.grid.nx,
-                                    maker->map.grid.spacing_m, !maker->map.grid.mirrored, NULL};
+    const struct direct_grid *grid = &maker->map.grid;
+    const struct strip_rows rows = {maker->map.height_m, grid->ny, grid->nx, grid->spacing_m, !grid->mirrored, NULL, 0};
     size_t points;
     double *joined_m = strip_join(&points, &rows);
     if (!joined_m)

@@ -225,7 +225,7 @@ static enum status_code put_errors(struct surface_record *record, size_t m, cons
 {
     const struct model_curve *curve = &record->curves[m];
     const struct model_task *task = scan->task;
-    double waves = model_task_longest_waves(task);
+    const struct scans_reach reach = model_task_reach(task);
     struct estimate estimates[CURVE_ESTIMATES];
     for (int which = 0; which < CURVE_ESTIMATES; which++)
         estimates[which] = estimate_none;
@@ -238,7 +238,7 @@ static enum status_code put_errors(struct surface_record *record, size_t m, cons
         struct estimate own[QUANTITY_COUNT];
         for (int q = 0; q < QUANTITY_COUNT; q++)
             own[q] = estimate_at(errors, model_rows[m], (enum quantity)q, point, record->summary.asperities.sigma_m);
-        ensemble_settle(own, point, model_rows[m], scan->joint, waves);
+        ensemble_settle(own, point, model_rows[m], scan->joint, reach);
         for (int q = 0; q < QUANTITY_COUNT && banded; q++)
             for (int side = 0; side < 2; side++)
                 record->bands[m][i].mean[q][side] = estimate_end(&own[q], side);

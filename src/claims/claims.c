@@ -225,7 +225,7 @@ static bool refused(struct claims *c)
     struct named on = {0};
     for (size_t i = 0; i < c->results->surface_count; i++) {
         const struct surface_summary *s = summary_of(c, i);
-        const size_t own = s->scene->files.count, out = s->usable ? s->refused_scans : own;
+        const size_t own = s->scene->files.count + s->scene->along.count, out = s->usable ? s->refused_scans : own;
         all += own;
         files += out;
         if (out > 0)
@@ -536,7 +536,8 @@ static bool uncertainty(struct claims *c)
     const struct curve_summary *curve = surface_model(summary_of(c, surface), c->leading);
     const struct estimate *known = curve_summary_estimate(curve, (int)c->asked.quantity);
     const double few = summary_of(c, surface)->has_tiles ? 0 : accuracy_few_waves_sd(c->results, surface),
-                 own = model_sd(model_rows[c->leading], c->asked.quantity), ofs = known->model_sd * known->model_sd,
+                 own = model_sd(model_rows[c->leading], c->asked.quantity, surface_knows_both(summary_of(c, surface))),
+                 ofs = known->model_sd * known->model_sd,
                  waves = few > 0 ? ofs * few * few / (few * few + own * own) : 0;
     double variance[] = {ofs - waves, known->s * known->s, waves};
     const double all = variance[0] + variance[1] + variance[2];
@@ -592,6 +593,22 @@ static double few_waves(const struct claims *c, size_t surface)
                    !nothing_touches(c, surface)
                ? summary_of(c, surface)->longest_waves
                : NAN;
+}
+
+/** What scans in another direction would make of the model's error, where a surface has none. */
+static bool one_direction(struct claims *c)
+{
+    const struct model_row *leading = model_rows[c->leading];
+    const double one = model_factor(model_sd(leading, c->asked.quantity, false)),
+                 two = model_factor(model_sd(leading, c->asked.quantity, true));
+    bool some = false;
+    for (size_t k = 0; k < c->results->usable_count; k++)
+        some = some || (!summary_of(c, usable(c, k))->has_lay && !nothing_touches(c, usable(c, k)) &&
+                        !known_value(c->results, c->asked.quantity, usable(c, k)).measured);
+    c->weight = one / two;
+    put_number(c, "one", one, one, 2, "");
+    put_number(c, "two", two, two, 2, "");
+    return some && two < one;
 }
 
 static bool short_scans(struct claims *c)
@@ -832,6 +849,7 @@ static const struct claim_row rows[] = {
     {"scans-to-decide", CLAIM_VERDICT, .when = scans_to_decide},
     {"uncertainty", CLAIM_UNCERTAINTY, .when = uncertainty},
     {"not-flat-assumed", CLAIM_UNCERTAINTY, .when = not_flat_assumed},
+    {"one-direction", CLAIM_UNCERTAINTY, .when = one_direction},
     {"short-scans", CLAIM_UNCERTAINTY, .when = short_scans},
     {"direct", CLAIM_CONTEXT, .when = direct},
     {"textbook", CLAIM_CONTEXT, .when = textbook},

@@ -15,7 +15,8 @@ const struct argp command_init_argp = {
     .args_doc = "DIR",
     .doc =
         "Writes DIR/scene.yaml, whole or not at all and never over another: the surfaces that the names of the files "
-        "tell, files that differ in a number or letter at the end alone as repeated scans of one, and, behind a #, "
+        "tell, files that differ in a number or letter at the end alone as repeated scans of one, or in a direction "
+        "(x, y; 0, 90; across, along; q, l; perp, par) as scans in two, and, behind a #, "
         "the units where a file has none, material, loads and targets, to be filled in."};
 
 /** What a text holds, inside the double quotes of YAML. What may not be shown is written out as YAML has it, too. */
@@ -63,10 +64,15 @@ static enum status_code add_surface(json_t *view, const struct scene *scene, con
     bool good = json_string_length(name) <= limit_most(LIMIT_NAME_BYTES);
     for (size_t i = 0; i < surface->files.count; i++)
         good = json_array_append_new(files, path_json(surface->files.path[i])) == 0 && good;
+    json_t *along = json_array();
+    for (size_t i = 0; i < surface->along.count; i++)
+        good = json_array_append_new(along, path_json(surface->along.path[i])) == 0 && good;
     json_t *one = json_pack("{s:o, s:O, s:b, s:b, s:o}", "name", name, "files", files, "folder", several && folder,
                             "alike", several && !folder, "count", json_sprintf("%zu", surface->files.count));
     if (json_array_size(files) == 1)
         json_object_set(one, "file", json_array_get(files, 0));
+    json_object_set_new(one, "directions", json_boolean(surface->along.count > 0));
+    json_object_set_new(one, "along", along);
     if (good && path)
         add_lacks(one, path);
     json_array_append_new(json_object_get(view, good ? "surfaces" : "left_out"), one);
@@ -118,7 +124,7 @@ static enum status_code make_text(struct text *out, struct scene *scene, const c
     struct mustache_folder folder = {templates, ".yaml", NULL, status};
     size_t scans = 0;
     for (size_t i = 0; i < scene->surface_count; i++)
-        scans += scene->surfaces[i].files.count;
+        scans += scene->surfaces[i].files.count + scene->surfaces[i].along.count;
     json_t *view = json_pack("{s:o, s:o, s:[], s:[]}", "scans", json_sprintf("%zu", scans), "passed_over",
                              json_lines(scene->passed_over ? scene->passed_over : ""), "surfaces", "left_out");
     enum status_code rc = view ? scene_join_repeats(scene, status) : status_memory(status);

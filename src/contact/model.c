@@ -143,9 +143,10 @@ enum quantity model_shown(const struct model_row *row, enum quantity quantity)
     return adjusts ? QUANTITY_ADJUSTED : quantity;
 }
 
-double model_task_longest_waves(const struct model_task *task)
+struct scans_reach model_task_reach(const struct model_task *task)
 {
-    return task->rows && !task->rows->periodic ? spectrum_longest_waves(task->spectrum) : 0;
+    return (struct scans_reach){task->rows && !task->rows->periodic ? spectrum_longest_waves(task->spectrum) : 0,
+                                task->two_directions};
 }
 
 double model_elastic_share(const struct model_row *row, const struct contact_point *point, double load_over_hardness)

@@ -14,6 +14,19 @@
 #include "spectrum/spectrum.h"
 #include <stdint.h>
 
+/** Profiles solved as strips, the heights of these in order, and their spectrum. */
+struct model_strips {
+    const struct spectrum *spectrum;
+    const struct strip *strip;
+    const struct bearing *bearing;
+};
+
+/** What scans tell of their surface beside their numbers. */
+struct scans_reach {
+    double longest_waves; /* spectrum_longest_waves() of scans whose ends are open; 0: they close */
+    bool two_directions;  /* they run across the lay, and how it is along it is known */
+};
+
 /** What a model is asked: one surface, one pair of bodies, a list of loads. */
 struct model_task {
     const struct spectrum *spectrum;
@@ -26,12 +39,15 @@ struct model_task {
     unsigned wanted;        /* QUANTITY_BITs */
     double tolerance;
     enum sinusoid_fit_id sinusoid_fit;
-    double hardness_Pa;              /* H_d of the softer body; NaN: not known */
-    bool levelled;                   /* a line was taken out of the scans, and a wave with it */
-    bool carries_on;                 /* beyond the area where a model ends it answers as there: one of several scans */
-    const struct strip_rows *rows;   /* its profiles; NULL: not there */
-    const struct strip *strip;       /* these solved as a strip, for models that use_strip; NULL: not there */
-    const struct bearing *bearing;   /* their heights in order, for those that are plastic too; NULL: not there */
+    double hardness_Pa;            /* H_d of the softer body; NaN: not known */
+    bool levelled;                 /* a line was taken out of the scans, and a wave with it */
+    bool carries_on;               /* beyond the area where a model ends it answers as there: one of several scans */
+    const struct strip_rows *rows; /* its profiles; NULL: not there */
+    const struct strip *strip;     /* these solved as a strip, for models that use_strip; NULL: not there */
+    const struct bearing *bearing; /* their heights in order, for those that are plastic too; NULL: not there */
+    struct model_strips flatter; /* of the flatter of two directions, for models that use_strip; strip NULL: there is
+                                    none, else it has a share of the answer */
+    bool two_directions;         /* struct scans_reach */
     const struct transfer *transfer; /* a map's direct solution, for models that use_map; NULL: not there */
     uint64_t *evaluations; /* what running models takes is added here: visits of scales, laws at quadrature nodes, loads
                               solved for a separation; NULL: it is not counted */
@@ -139,20 +155,20 @@ struct contact_point model_point(const struct transfer_point *contact, const str
 /** How far a model is from the contact of a surface of any heights: standard deviations of ln area, gap, resistance. */
 struct model_error {
     const struct model_row *model;
+    bool two_directions; /* of scans that know both; of a model that has no such row, the same as of one */
     double ln_sd[3];
 };
 extern const struct model_error model_errors[]; /* model_error.c; a model that is not in it says nothing of its error */
 extern const size_t model_error_count;
 
 /** A model's error of what the quantity follows; 0: not known. */
-double model_sd(const struct model_row *row, enum quantity quantity);
-/** How many of their longest waves the scans hold (spectrum_longest_waves()) whose ends are open; 0: they close. */
-double model_task_longest_waves(const struct model_task *task);
+double model_sd(const struct model_row *row, enum quantity quantity, bool two_directions);
+struct scans_reach model_task_reach(const struct model_task *task);
 /** What scans of fewer than 2.5 longest waves cannot know of the surface, of ln a quantity: 1.3 ln(2.5/waves), measured
  * against direct solutions. waves 0: nothing. */
 double model_few_waves_sd(double longest_waves);
 /** model_sd() with that in quadrature; of a model of no known error nothing. */
-double model_surface_sd(const struct model_row *row, enum quantity quantity, double longest_waves);
+double model_surface_sd(const struct model_row *row, enum quantity quantity, struct scans_reach reach);
 /** The factor that 95 % of what has this standard deviation of its logarithm lie within: how errors are printed. */
 double model_factor(double ln_sd);
 

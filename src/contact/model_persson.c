@@ -63,36 +63,79 @@ static void harden(struct strip_contact *contact, size_t *count, const struct pe
     }
 }
 
+/** The contact at the task's loads, `count` of them. */
+static enum status_code solve(struct strip_contact *contact, size_t *count, const struct model_row *row,
+                              const struct model_task *task, struct status *status)
+{
+    struct persson persson;
+    const struct spectrum *spectrum = task->transfer ? &task->transfer->spectrum : task->spectrum;
+    double lost_m2 = task->levelled && !task->transfer ? persson_lost_wave(spectrum) : 0;
+    *count = 0;
+    if (persson_make(&persson, spectrum, lost_m2, status) != STATUS_OK)
+        return status->code;
+    if (persson.m2 > 0 && elastic(contact, count, &persson, row, task, status) == STATUS_OK && row->plastic)
+        harden(contact, count, &persson, row, task);
+    persson_free(&persson);
+    return status->code;
+}
+
+/* Of the flatter direction's answer: on 11 pieces of five measured maps it makes the rms error (ln area, gap,
+ * resistance) of 1 + 1 scans .44 .81 .67 for .49 .85 .76, of 4 + 4 .32 .50 .41 for .33 .53 .45, of 12 + 12 .26 .38 .37
+ * for .27 .40 .40. */
+static const double flatter_share = 0.25;
+
+static double between(double steeper, double flatter)
+{
+    return steeper > 0 ? steeper * pow(flatter / steeper, flatter_share) : steeper;
+}
+
+/** Takes in the answer of the flatter direction, which is carried on as far as the other goes; `room` is as long. */
+static enum status_code join_flatter(struct strip_contact *contact, size_t *count, struct strip_contact *room,
+                                     const struct model_row *row, const struct model_task *task, struct status *status)
+{
+    struct model_task flatter = *task;
+    size_t known;
+    flatter.spectrum = task->flatter.spectrum;
+    flatter.strip = task->flatter.strip;
+    flatter.bearing = task->flatter.bearing;
+    flatter.carries_on = true;
+    if (solve(room, &known, row, &flatter, status) != STATUS_OK)
+        return status->code;
+    *count = known < *count ? known : *count;
+    for (size_t i = 0; i < *count; i++) {
+        contact[i].area_ratio = between(contact[i].area_ratio, room[i].area_ratio);
+        contact[i].constriction_m = between(contact[i].constriction_m, room[i].constriction_m);
+        contact[i].separation_m = between(contact[i].separation_m, room[i].separation_m);
+    }
+    return STATUS_OK;
+}
+
 static enum status_code run(struct model_curve *curve, const struct model_row *row, const struct model_task *task,
                             struct status *status)
 {
-    struct persson persson;
     if (row->uses_strip && !(task->strip && (task->bearing || !row->plastic)))
         return STATUS_OK;
     if (row->plastic && !(task->hardness_Pa > 0))
         return STATUS_OK;
-    struct strip_contact *contact = malloc((task->load_count + 1) * sizeof *contact);
+    size_t count, room = task->load_count + 1;
+    struct strip_contact *contact = malloc(2 * room * sizeof *contact);
     if (!contact)
         return status_memory(status);
-    const struct spectrum *spectrum = task->transfer ? &task->transfer->spectrum : task->spectrum;
-    double lost_m2 = task->levelled && !task->transfer ? persson_lost_wave(spectrum) : 0;
-    if (persson_make(&persson, spectrum, lost_m2, status) == STATUS_OK) {
-        size_t count = 0;
-        if (persson.m2 > 0 && elastic(contact, &count, &persson, row, task, status) == STATUS_OK && row->plastic)
-            harden(contact, &count, &persson, row, task);
-        for (size_t i = 0; i < count; i++) {
-            const struct transfer_point point = {task->loads[i], contact[i].area_ratio, contact[i].separation_m,
-                                                 contact[i].constriction_m};
-            curve->points[i] = model_point(&point, row, task);
-            curve->carried += contact[i].area_ratio == corrected_persson_largest_area;
-        }
-        curve->count = count;
-        curve->exists = count > 0; /* complete contact is beyond */
-        curve->evaluations = task->load_count;
-        persson_free(&persson);
+    enum status_code rc = solve(contact, &count, row, task, status);
+    for (size_t i = 0; i < count; i++)
+        curve->carried += contact[i].area_ratio == corrected_persson_largest_area;
+    if (rc == STATUS_OK && row->uses_strip && task->flatter.strip)
+        rc = join_flatter(contact, &count, contact + room, row, task, status);
+    for (size_t i = 0; i < count && rc == STATUS_OK; i++) {
+        const struct transfer_point point = {task->loads[i], contact[i].area_ratio, contact[i].separation_m,
+                                             contact[i].constriction_m};
+        curve->points[i] = model_point(&point, row, task);
     }
+    curve->count = count;
+    curve->exists = count > 0; /* complete contact is beyond */
+    curve->evaluations = task->load_count;
     free(contact);
-    return status->code;
+    return rc;
 }
 
 #define VALID_GAUSSIAN                                                                                                 \

@@ -29,6 +29,11 @@ enum { ROUGH_STEP = 2, ROUGH_TOLERANCE = 2 };
 
 static const double least_share = 0.3; /* of the points in contact that their outline leaves */
 
+double strip_smoothing(size_t scans)
+{
+    return scans <= 1 ? 1 : scans == 2 ? 0.8 : 0.6;
+}
+
 static size_t row_length(const struct strip_rows *rows)
 {
     return rows->periodic ? rows->points : 2 * rows->points;
@@ -215,7 +220,7 @@ enum status_code strip_solve(struct strip *out, const struct strip_rows *rows, s
     size_t length = row_length(rows), points;
     struct phases phases = {0};
     struct solver solver = {.strip_m = strip_join(&points, rows), .rough = surrogates == STRIP_ROUGHLY, .stop = stop};
-    *out = (struct strip){.surrogates = 0};
+    *out = (struct strip){.smoothing = rows->smoothing};
     surrogates = solver.rough ? 1 : surrogates;
     if (!solver.strip_m)
         return status_memory(status);
@@ -276,7 +281,6 @@ struct strip_ratio strip_ratio_at(const struct strip *strip, double area_ratio)
 }
 
 static const double grid_step = 0.05; /* in logit A */
-enum { EACH = 4 };                    /* of its nodes sees the corrected theory, which is smooth, three steps or more */
 
 /** logit A below all solutions and at the corrected theory's end. Between them lies a grid that no list of loads moves;
  * returns its steps. */
@@ -286,13 +290,47 @@ static size_t range_of(double range[2], const struct strip *strip)
     range[1] = logit(corrected_persson_largest_area);
     for (size_t s = 0; s < strip->surrogates; s++)
         range[0] = fmin(range[0], strip->surrogate[s].logit[0]);
-    range[0] = fmin(range[0], range[1] - 3 * EACH * grid_step);
-    return EACH * (size_t)ceil((range[1] - range[0]) / (EACH * grid_step));
+    range[0] = fmin(range[0], range[1] - grid_step);
+    return (size_t)ceil((range[1] - range[0]) / grid_step);
 }
 
 static double area_of(const double range[2], double share)
 {
     return logistic(range[0] + (range[1] - range[0]) * share);
+}
+
+/** ln of the strip's ratios at the grid's nodes (those of struct strip_curve), each by the least-squares line through
+ * all of them, weighted by a Gaussian of the strip's smoothing in logit A (a local line: Cleveland, J. Am. Stat. Assoc.
+ * 74 (1979) 829); malloc'ed; NULL: out of memory. */
+static double (*smooth_ratios(const double range[2], size_t steps, const struct strip *strip))[3]
+{
+    enum { REACH = 120 }; /* steps: three widths */
+    const double width = strip->smoothing / ((range[1] - range[0]) / (double)steps);
+    const size_t reach = (size_t)fmin(3 * width, REACH);
+    double(*out)[3] = malloc(2 * (steps + 1) * sizeof *out), (*raw)[3] = out + steps + 1, weight[REACH + 1];
+    for (size_t k = 0; k <= reach; k++)
+        weight[k] = width > 0 ? exp(-pow((double)k / width, 2) / 2) : 1;
+    for (size_t k = 0; k <= steps && out; k++) {
+        const struct strip_ratio ratio = strip_ratio_at(strip, area_of(range, (double)k / (double)steps));
+        memcpy(out[k], (double[]){ratio.load, ratio.constriction, ratio.separation}, sizeof *out);
+        memcpy(raw[k], out[k], sizeof *out);
+    }
+    for (size_t k = 0; k <= steps && out && width > 0; k++) {
+        double w0 = 0, w1 = 0, w2 = 0, sum[2][3] = {{0}}; /* moments of the weights, and of the ratios */
+        for (size_t i = k > reach ? k - reach : 0; i <= steps && i <= k + reach; i++) {
+            const double x = (double)i - (double)k, w = weight[i > k ? i - k : k - i];
+            w0 += w;
+            w1 += w * x;
+            w2 += w * x * x;
+            for (int n = 0; n < 3; n++) {
+                sum[0][n] += w * raw[i][n];
+                sum[1][n] += w * x * raw[i][n];
+            }
+        }
+        for (int n = 0; n < 3; n++)
+            out[k][n] = (w2 * sum[0][n] - w1 * sum[1][n]) / (w0 * w2 - w1 * w1);
+    }
+    return out;
 }
 
 enum status_code strip_areas(double *area_ratio, const double *loads, size_t count, const struct strip *strip,
@@ -301,14 +339,18 @@ enum status_code strip_areas(double *area_ratio, const double *loads, size_t cou
     double range[2];
     size_t steps = range_of(range, strip), at = 0;
     double *load = malloc((steps + 1) * sizeof *load); /* ln p, never falling */
-    if (!load)
+    double(*ratio)[3] = smooth_ratios(range, steps, strip);
+    if (!load || !ratio) {
+        free(load);
+        free(ratio);
         return status_memory(status);
+    }
     for (size_t k = 0; k <= steps; k++) {
         double area = area_of(range, (double)k / (double)steps);
-        load[k] = log(corrected_persson_load(area, m2)) + strip_ratio_at(strip, area).load;
+        load[k] = log(corrected_persson_load(area, m2)) + ratio[k][0];
         load[k] = k > 0 ? fmax(load[k], load[k - 1]) : load[k];
     }
-    double lowest = exp(strip_ratio_at(strip, area_of(range, 0)).load);
+    double lowest = exp(ratio[0][0]);
     for (size_t i = 0; i < count; i++) {
         double wanted = log(loads[i]);
         while (at < steps && load[at + 1] < wanted)
@@ -322,6 +364,7 @@ enum status_code strip_areas(double *area_ratio, const double *loads, size_t cou
             area_ratio[i] = area_of(range, ((double)at + share) / (double)steps);
     }
     free(load);
+    free(ratio);
     return STATUS_OK;
 }
 
@@ -330,44 +373,27 @@ struct nodes {
     size_t below, steps;
     double range[2], *area_ratio;
     double (*value)[3];                     /* ln of l and gap, and A/p, never rising among the nodes */
-    struct corrected_persson_point *theory; /* every EACH-th node's */
+    struct corrected_persson_point *theory; /* at all of them */
+    double (*ratio)[3];                     /* smooth_ratios() */
 };
 
-/** ln of the theory at node k: the cubic through four. */
-static void between(double out[2], const struct corrected_persson_point *theory, size_t k, size_t steps)
-{
-    size_t first = k / EACH > 0 ? k / EACH - 1 : 0;
-    first = first + 3 > steps / EACH ? steps / EACH - 3 : first;
-    double t = (double)k / EACH - (double)first;
-    double weight[4] = {-(t - 1) * (t - 2) * (t - 3) / 6, t * (t - 2) * (t - 3) / 2, -t * (t - 1) * (t - 3) / 2,
-                        t * (t - 1) * (t - 2) / 6};
-    out[0] = out[1] = 0;
-    for (size_t i = 0; i < 4; i++) {
-        out[0] += weight[i] * log(theory[first + i].constriction_m);
-        out[1] += weight[i] * log(theory[first + i].separation_m);
-    }
-}
+/* Share of the theory's fall with ln A that smoothed lengths and gaps keep where they would rise. */
+static const double least_fall = 0.2;
 
 static void fill_nodes(struct nodes *nodes, const struct strip *strip, const struct persson *persson,
                        bool with_separation)
 {
-    size_t below = nodes->below, all = below + nodes->steps + 1, few = below + nodes->steps / EACH + 1;
-    for (size_t k = below; k < few; k++)
-        nodes->area_ratio[k] = area_of(nodes->range, (double)(EACH * (k - below)) / (double)nodes->steps);
-    corrected_persson_curve(nodes->theory, nodes->area_ratio, few, persson, with_separation);
+    const size_t below = nodes->below, all = below + nodes->steps + 1;
+    const double falls = strip->smoothing > 0 ? least_fall : 0;
+    for (size_t k = below; k < all; k++)
+        nodes->area_ratio[k] = area_of(nodes->range, (double)(k - below) / (double)nodes->steps);
+    corrected_persson_curve(nodes->theory, nodes->area_ratio, all, persson, with_separation);
     for (size_t k = 0; k < all; k++) {
         double *value = nodes->value[k];
-        if (k >= below) {
-            nodes->area_ratio[k] = area_of(nodes->range, (double)(k - below) / (double)nodes->steps);
-            between(value, nodes->theory + below, k - below, nodes->steps);
-        } else {
-            value[0] = log(nodes->theory[k].constriction_m);
-            value[1] = log(nodes->theory[k].separation_m);
-        }
-        struct strip_ratio ratio = strip_ratio_at(strip, nodes->area_ratio[k]);
-        double area = nodes->area_ratio[k], load = corrected_persson_load(area, persson->m2) * exp(ratio.load);
-        value[0] += ratio.constriction;
-        value[1] += ratio.separation;
+        const double *ratio = nodes->ratio[k >= below ? k - below : 0]; /* they go on as they end */
+        const double area = nodes->area_ratio[k], load = corrected_persson_load(area, persson->m2) * exp(ratio[0]);
+        value[0] = (1 - falls) * log(nodes->theory[k].constriction_m) + ratio[1];
+        value[1] = (1 - falls) * log(nodes->theory[k].separation_m) + ratio[2];
         value[2] = k > below ? fmin(nodes->value[k - 1][2], area / load) : area / load;
     }
     for (size_t q = 0; q < 1 + (size_t)with_separation; q++) {
@@ -375,6 +401,8 @@ static void fill_nodes(struct nodes *nodes, const struct strip *strip, const str
         isotonic(&nodes->value[below][q], all - below, 3, true);
         for (size_t k = 0; k < below; k++)
             nodes->value[k][q] += nodes->value[below][q] - raw;
+        for (size_t k = 0; k < all; k++)
+            nodes->value[k][q] += falls * log(q == 0 ? nodes->theory[k].constriction_m : nodes->theory[k].separation_m);
     }
 }
 
@@ -402,7 +430,8 @@ enum status_code strip_contact(struct strip_contact *contact, size_t count, cons
     nodes.area_ratio = malloc(most * sizeof *nodes.area_ratio);
     nodes.theory = malloc(most * sizeof *nodes.theory);
     nodes.value = malloc(most * sizeof *nodes.value);
-    if (!nodes.area_ratio || !nodes.theory || !nodes.value) {
+    nodes.ratio = smooth_ratios(nodes.range, nodes.steps, strip);
+    if (!nodes.area_ratio || !nodes.theory || !nodes.value || !nodes.ratio) {
         (void)status_memory(status);
     } else {
         for (; nodes.below < count && contact[nodes.below].area_ratio < area_of(nodes.range, 0); nodes.below++)
@@ -414,5 +443,6 @@ enum status_code strip_contact(struct strip_contact *contact, size_t count, cons
     free(nodes.area_ratio);
     free(nodes.theory);
     free(nodes.value);
+    free(nodes.ratio);
     return status->code;
 }

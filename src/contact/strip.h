@@ -26,7 +26,12 @@ struct strip_rows {
     double spacing_m;
     bool periodic;        /* each closes on itself; else it is mirrored */
     const uint64_t *seed; /* one a row, of its surrogates' phases; NULL: its number */
+    double smoothing;     /* what follows from them is smoothed over so much of logit A: strip_smoothing(); 0: not */
 };
+
+/** For rows of so many scans: measured ratios have the least error with it (any-heights: 1 for one, .6 from three on),
+ * and the stairs that their noise makes are gone. */
+double strip_smoothing(size_t scans);
 
 /** The rows one after another, each with its mirror image behind it unless periodic: so many heights, malloc'ed; NULL:
  * out of memory. */
@@ -46,6 +51,7 @@ struct strip {
     size_t surrogates;   /* that have a solution */
     size_t unsolved;     /* of all of them */
     uint64_t transforms; /* pairs of transforms that it took, times points */
+    double smoothing;    /* as of the rows */
 };
 
 /** Joins the rows to one strip and solves it, and as many surrogates:

@@ -308,22 +308,22 @@ void joint_carry_sd(double sd[QUANTITY_COUNT], const struct contact_point *point
 }
 
 void joint_model_sd(double out[QUANTITY_COUNT], const struct contact_point *point, const struct model_row *row,
-                    const struct joint_task *task, double longest_waves)
+                    const struct joint_task *task, struct scans_reach reach)
 {
     const double pressure_Pa = material_pair_pressure(task->pair, point->value[QUANTITY_LOAD]);
     for (int q = 0; q < QUANTITY_COUNT; q++) {
         out[q] = q == QUANTITY_AREA || q == QUANTITY_SEPARATION || q == QUANTITY_ADJUSTED ||
                          (QUANTITY_RESISTANCES & QUANTITY_BIT(q))
-                     ? model_surface_sd(row, (enum quantity)q, longest_waves)
+                     ? model_surface_sd(row, (enum quantity)q, reach)
                      : 0;
         if (q == QUANTITY_AREA && row->plastic &&
             row->uses_strip) { /* what exp(sd) times the elastic area makes of it */
             double share = model_elastic_share(row, point, pressure_Pa / task->pair->hardness_Pa),
-                   elastic_sd = model_surface_sd(row->elastic, QUANTITY_AREA, longest_waves);
+                   elastic_sd = model_surface_sd(row->elastic, QUANTITY_AREA, reach);
             out[q] = hypot(bearing_area_sd, log1p(share * expm1(4 * elastic_sd)) / 4);
         }
     }
-    if (model_sd(row, QUANTITY_AREA) > 0)
+    if (model_sd(row, QUANTITY_AREA, reach.two_directions) > 0)
         joint_carry_sd(out, point, row, task);
 }
 

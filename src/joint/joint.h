@@ -115,7 +115,7 @@ void joint_carry_sd(double sd[QUANTITY_COUNT], const struct contact_point *point
  * (model_surface_sd(), of a plastic area what bearing_area() makes of it, and bearing_area_sd; joint_carry_sd()). 0:
  * not counted in; what is NaN there is not known. */
 void joint_model_sd(double out[QUANTITY_COUNT], const struct contact_point *point, const struct model_row *row,
-                    const struct joint_task *task, double longest_waves);
+                    const struct joint_task *task, struct scans_reach reach);
 
 /** The least and the most that physics allows at a point of a model with a hardness H, 0: anything. Area: at least P/H,
  * as nothing bears more. Resistance: at most that of one spot of the area P/H of all, (rho_1 + rho_2)/(4a), pi a² = P/H

@@ -353,10 +353,10 @@ void ensemble_hold(struct estimate estimates[QUANTITY_COUNT], const struct conta
 }
 
 void ensemble_settle(struct estimate estimates[QUANTITY_COUNT], const struct contact_point *point,
-                     const struct model_row *model, const struct joint_task *joint, double longest_waves)
+                     const struct model_row *model, const struct joint_task *joint, struct scans_reach reach)
 {
     double sd[QUANTITY_COUNT], pressure_Pa = material_pair_pressure(joint->pair, point->value[QUANTITY_LOAD]);
-    joint_model_sd(sd, point, model, joint, longest_waves);
+    joint_model_sd(sd, point, model, joint, reach);
     for (int q = 0; q < QUANTITY_COUNT; q++) {
         estimates[q].model_sd = sd[q];
         if (quantity_rows[q].from && point->value[q] > 0)
@@ -385,7 +385,8 @@ static enum status_code mean_curve(struct model_curve *curve, struct ensemble_re
     const struct model_curve *joined = of->joined;
     struct estimate estimates[QUANTITY_COUNT];
     const struct joint_task bare = {.pair = task->pair}, *joint = result->joint ? result->joint : &bare;
-    double share = of->set->scan_count > 1 && model->uses_strip ? 0.5 : 1, waves = model_task_longest_waves(task);
+    const struct scans_reach reach = model_task_reach(task);
+    double share = of->set->scan_count > 1 && model->uses_strip ? 0.5 : 1;
     size_t full = offsetof(struct model_curve, full_load), beta = offsetof(struct model_curve, beta);
     estimates[QUANTITY_LOAD] = estimate_none;
     curve->exists = true;
@@ -407,7 +408,7 @@ static enum status_code mean_curve(struct model_curve *curve, struct ensemble_re
         struct model_curve alone = {.exists = true, .points = point, .count = 1};
         if (joint_curve(&alone, model, &here, joint, status) != STATUS_OK)
             return status->code;
-        ensemble_settle(estimates, point, model, joint, waves);
+        ensemble_settle(estimates, point, model, joint, reach);
         if (result->band)
             fill_band(&result->band[i], estimates, model);
         for (int q = 0; q < QUANTITY_COUNT && i == model_task_operating(task); q++)

@@ -147,7 +147,7 @@ void ensemble_hold(struct estimate estimates[QUANTITY_COUNT], const struct conta
  * middle of those of the joint, which are not the mean of the members' but made of means; an area of load and hardness
  * alone has no interval. */
 void ensemble_settle(struct estimate estimates[QUANTITY_COUNT], const struct contact_point *point,
-                     const struct model_row *model, const struct joint_task *joint, double longest_waves);
+                     const struct model_row *model, const struct joint_task *joint, struct scans_reach reach);
 
 /** What the members say beside the surface's curve. */
 struct ensemble_result {

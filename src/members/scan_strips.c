@@ -75,8 +75,13 @@ enum status_code strips_gather(struct strips *out, struct ensemble *set, bool pa
         taken++;
     }
     out->in_part = !map && ((!fits && length < points) || scans < whole);
-    out->rows =
-        (struct strip_rows){out->height_m, scans * each, length, spacing_m, periodic && length == points, out->seed};
+    out->rows = (struct strip_rows){out->height_m,
+                                    scans * each,
+                                    length,
+                                    spacing_m,
+                                    periodic && length == points,
+                                    out->seed,
+                                    strip_smoothing(set->count)};
     return STATUS_OK;
 }
 

@@ -41,6 +41,7 @@ struct curve_summary *surface_model_room(struct surface_summary *summary, size_t
 struct model_task surface_model_task(const struct surface_record *record, const struct surface_task *asked)
 {
     const struct scene *scene = asked->scene;
+    const struct surface_record *flatter = record->flatter;
     return (struct model_task){
         .spectrum = &record->spectrum,
         .rough = record->summary.rough,
@@ -59,6 +60,11 @@ struct model_task surface_model_task(const struct surface_record *record, const 
         .strip = record->strips.joined ? &record->strips.joined->strip : NULL,
         .bearing = record->strips.joined ? &record->strips.joined->bearing : NULL,
         .transfer = record->tiles.transfer,
+        .two_directions = surface_knows_both(&record->summary),
+        .flatter = flatter && flatter->strips.joined
+                       ? (struct model_strips){&flatter->spectrum, &flatter->strips.joined->strip,
+                                               &flatter->strips.joined->bearing}
+                       : (struct model_strips){NULL},
     };
 }
 
@@ -68,6 +74,11 @@ void surface_set_lay(struct surface_summary *summary, double lay, const char *fr
     summary->lay = lay;
     if (summary->has_lay && lay > 1.5)
         note_add(&summary->notes, NULL, "note.lay\ntimes %.3g\n%s", lay, from);
+}
+
+bool surface_knows_both(const struct surface_summary *summary)
+{
+    return summary->has_lay && summary->lay <= 1;
 }
 
 double surface_kappa(const struct surface_summary *summary)
@@ -111,6 +122,9 @@ void surface_drop_arrays(struct surface_record *record)
     spectrum_free(&record->tapered);
     variants_free(&record->variants);
     strips_free(&record->strips);
+    if (record->flatter)
+        surface_record_free(record->flatter);
+    free(record->flatter);
     tiles_free(&record->tiles);
     map_contact_free(&record->contact);
     free(record->curves);

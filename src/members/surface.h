@@ -91,8 +91,6 @@ struct surface_summary {
     double cutoff_m;            /* of the low-pass that a map has had; 0: none */
     bool has_lay;               /* it is known */
     double lay;                 /* rms slope along over across it: surface_kappa() */
-    double perfect_lay[2]; /* where none is known: area and ECR of the leading model at the operating load if the scans
-                              ran across a perfect one, over those as they are; NaN: no answer; 0: not asked */
     struct direct_plan *direct; /* how its contact is solved directly; owned, NULL: it is not called for */
     struct surface_times times;
 };
@@ -100,14 +98,16 @@ struct surface_summary {
 /** Everything of one surface. Owned: surface_record_free(). */
 struct surface_record {
     struct surface_summary summary;
-    struct spectrum spectrum;    /* its length over surface_kappa(), as those of the ensemble and the strips are */
-    struct spectrum typical;     /* geometric means of the scans' amplitudes: what the thesis's line goes through */
-    struct spectrum tapered;     /* rms amplitudes the law is fitted to; count 0: fit: thesis */
-    struct power_law_band *band; /* the same law with its bins, knees and lines; NULL: fit: thesis, or dropped */
-    struct ensemble ensemble;    /* scans to be run alone, until they have been; count 0: there is one */
-    struct strips strips;        /* of its scans, where a model uses them; rows 0: none */
-    struct tiles tiles;          /* of its one map, where a model uses it */
-    struct map_contact contact;  /* of that at the operating load; cells 0: not looked at */
+    struct spectrum spectrum;       /* its length over surface_kappa(), as those of the ensemble and the strips are */
+    struct spectrum typical;        /* geometric means of the scans' amplitudes: what the thesis's line goes through */
+    struct spectrum tapered;        /* rms amplitudes the law is fitted to; count 0: fit: thesis */
+    struct power_law_band *band;    /* the same law with its bins, knees and lines; NULL: fit: thesis, or dropped */
+    struct ensemble ensemble;       /* scans to be run alone, until they have been; count 0: there is one */
+    struct strips strips;           /* of its scans, where a model uses them; rows 0: none */
+    struct surface_record *flatter; /* of scans in two directions those of the flatter one, whose strips take part;
+                                       NULL: none. Owned */
+    struct tiles tiles;             /* of its one map, where a model uses it */
+    struct map_contact contact;     /* of that at the operating load; cells 0: not looked at */
     double *height_m; /* of the one scan, summary.single_points long, until the models have run; NULL: not kept */
     const struct surface_record *counterface; /* the rough one; NULL: smooth. Not owned */
     struct model_curve *curves;               /* model_count of them, NULL before any model ran */
@@ -158,6 +158,9 @@ struct model_task surface_middle_task(const struct model_task *task);
 /** Sets r of a surface (not finite: not known), `from` scans "along" the lay, a "map", or the scene ("given"); what
  * makes it doubtful is noted, with what to do. */
 void surface_set_lay(struct surface_summary *summary, double lay, const char *from);
+
+/** Do its scans run across a lay of which it is known how strong it is: are they, in effect, of both directions? */
+bool surface_knows_both(const struct surface_summary *summary);
 
 /** What the frequencies of the scans, taken across a lay, are multiplied by in the models, which know no direction:
  * sqrt((1 + r²)/2), r the rms slope along over across (equations: lay). */

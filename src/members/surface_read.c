@@ -203,37 +203,90 @@ static enum status_code describe(struct surface_record *record, struct power_law
     return STATUS_OK;
 }
 
-/** r from the scans along the lay, each of which has to be readable: the answer hangs on it. */
-static enum status_code take_along(struct surface_summary *summary, const struct scene *scene, struct hash *hash,
-                                   struct status *status)
+static bool is_map(const struct surface_record *record)
 {
-    struct scene_surface surface = *summary->scene;
-    struct surface_record along = {.summary = {.scene = &surface}};
+    return record->ensemble.count == 0 || record->ensemble.members[0].is_row;
+}
+
+/** What of a surface is of its scans in either direction. */
+static void tell(struct surface_summary *summary, const struct surface_summary *of)
+{
+    summary->scene = of->scene;
+    summary->pair = of->pair;
+    summary->notes = of->notes;
+    summary->refused_scans = of->refused_scans;
+    summary->copies = of->copies;
+    summary->copy_file = of->copy_file;
+    summary->copy_of = of->copy_of;
+}
+
+/** Of scans in two directions the steeper ones are taken to run across the lay, whatever the scene calls them, which
+ * makes r at most 1: where the flatter ones lend the strips the rms error on 18 measured maps is .48 .70 .84 (ln area,
+ * gap, resistance) in place of .28 .38 .41. A map, which has both, stays as it is. */
+static enum status_code place_along(const struct surface_scans *task, const struct surface_scans *other,
+                                    struct status *status)
+{
+    struct surface_record *record = task->record, *along = other->record;
+    struct surface_summary *summary = &record->summary;
+    const bool maps = is_map(record) || is_map(along);
+    if (!maps && along->summary.roughness.m2 > summary->roughness.m2) {
+        const struct surface_record across = *along;
+        const struct power_law_scans scans = *other->scans;
+        *along = *record;
+        *record = across;
+        *other->scans = *task->scans;
+        *task->scans = scans;
+        record->counterface = along->counterface;
+        tell(summary, &along->summary);
+        note_add(&summary->notes, NULL, "note.turned");
+    }
+    const double unlike = along->summary.spacing_m / summary->spacing_m;
+    surface_set_lay(summary, sqrt(along->summary.roughness.m2 / summary->roughness.m2), "along");
+    if (!(fabs(log(unlike)) < 0.1))
+        note_add(&summary->notes, NULL, "note.along\ntimes %.3g", unlike);
+    along->summary.notes = (struct note_list){0}; /* they are the surface's */
+    if (maps || !wants_strips(task->scene) || task->scene->counterface_surface.files.count > 0)
+        return STATUS_OK;
+    if (!(record->flatter = malloc(sizeof *record->flatter)))
+        return status_memory(status);
+    *record->flatter = *along;
+    *along = (struct surface_record){.flatter = NULL};
+    return surface_read_members(record->flatter, other->scans, task->scene, status);
+}
+
+/** r from the scans in the other direction, which are read as the surface's own are. */
+static enum status_code take_along(const struct surface_scans *task, struct hash *hash, struct status *status)
+{
+    struct surface_record *record = task->record;
+    const struct scene_surface *surface = record->summary.scene;
+    struct scene_surface others = *surface;
+    struct surface_record along = {.ensemble = {.keeps_heights = record->ensemble.keeps_heights}};
     struct power_law_scans scans = {0};
     struct status problem = {0};
-    struct copies copies = {0};
-    const struct surface_scans task = {&along, &scans, scene, &copies};
-    surface.files = surface.along;
-    enum status_code rc = STATUS_OK;
-    for (size_t f = 0; f < surface.files.count && rc == STATUS_OK; f++)
-        rc = surface_files_read_one(&task, surface.files.path[f], hash, &problem);
-    double unlike = along.summary.spacing_m / summary->spacing_m;
+    const struct surface_scans other = {&along, &scans, task->scene, task->copies};
+    tell(&along.summary, &record->summary);
+    others.files = others.along;
+    along.summary.scene = &others;
+    enum status_code rc = surface_files_read(&other, hash, &problem);
+    along.summary.scene = surface;
+    tell(&record->summary, &along.summary);
+    if (rc == STATUS_OK && along.summary.scans == 0)
+        rc = status_fail(&problem, STATUS_SCAN, "its scans are those of 'file'; name others, or leave it out");
     if (rc == STATUS_OK)
-        surface_set_lay(summary, sqrt(along.summary.roughness.m2 / summary->roughness.m2), "along");
-    if (rc == STATUS_OK && !(fabs(log(unlike)) < 0.1))
-        note_add(&summary->notes, NULL, "note.along\ntimes %.3g", unlike);
+        rc = place_along(task, &other, &problem);
+    along.summary.notes = (struct note_list){0};
     surface_record_free(&along);
     power_law_scans_free(&scans);
-    copies_free(&copies);
     return rc == STATUS_OK ? STATUS_OK : status_fail(status, rc, "along: %s", problem.message);
 }
 
-static enum status_code find_lay(struct surface_summary *summary, const struct scene *scene, struct hash *hash,
-                                 struct status *status)
+static enum status_code find_lay(const struct surface_scans *task, struct hash *hash, struct status *status)
 {
+    struct surface_summary *summary = &task->record->summary;
     const struct scene_surface *surface = summary->scene;
+    const struct scene *scene = task->scene;
     if (surface->along.count > 0)
-        return take_along(summary, scene, hash, status);
+        return take_along(task, hash, status);
     if (surface->lay_given || (scene->lay_given && !summary->has_lay))
         surface_set_lay(summary, surface->lay_given ? surface->lay : scene->lay, "given");
     return STATUS_OK;
@@ -267,10 +320,11 @@ static void stretch(struct surface_record *record, double kappa)
 static double cost_of_strips(const struct surface_record *record)
 {
     const struct strip_rows *rows = &record->strips.rows,
-                            one = {NULL, 1, rows->points, rows->spacing_m, rows->periodic, NULL};
+                            one = {NULL, 1, rows->points, rows->spacing_m, rows->periodic, NULL, 0};
     const double quarters = 0.35; /* two strips at nine loads, of three at seventeen */
-    double alone = record->ensemble.scan_count > 1 ? (double)rows->rows * (double)strip_cost(&one) : 0;
-    return (double)strip_cost(rows) * (record->summary.single_points > 0 ? 1 + quarters : 1) + alone;
+    double alone = record->ensemble.count > 1 ? (double)rows->rows * (double)strip_cost(&one) : 0,
+           flatter = record->flatter ? (double)strip_cost(&record->flatter->strips.rows) : 0;
+    return (double)strip_cost(rows) * (record->summary.single_points > 0 ? 1 + quarters : 1) + alone + flatter;
 }
 
 /** From what was gathered to the description of the surface. */
@@ -316,6 +370,8 @@ static enum status_code conclude(struct surface_record *record, struct power_law
     record->summary.rough = (struct cmy){sqrt(roughness->rq_m * roughness->rq_m + record->summary.between_m2),
                                          kappa * cmy_slope(roughness->m2)};
     stretch(record, kappa);
+    if (record->flatter) /* sqrt((1 + 1/r²)/2): of the same mean-square gradient */
+        stretch(record->flatter, kappa / record->summary.lay);
     return STATUS_OK;
 }
 
@@ -377,7 +433,7 @@ enum status_code surface_read(struct surface_record *out, const struct scene *sc
     out->ensemble.keeps_heights = wants_strips(scene);
     enum status_code rc = surface_files_read(&task, &hash, &problem);
     if (rc == STATUS_OK && surface != &scene->counterface_surface) /* whose lay is taken to be the surface's */
-        rc = find_lay(summary, scene, &hash, &problem);
+        rc = find_lay(&task, &hash, &problem);
     hash_finish(&hash, summary->hash);
     if (rc == STATUS_OK)
         rc = surface_read_members(out, &scans, scene, &problem);

@@ -222,19 +222,14 @@ static json_t *files_json(const struct scene_files *of)
     return files;
 }
 
-/** r and what the scans' frequencies were multiplied by; where r is not known, what a perfect lay would change. */
-static json_t *lay_json(const struct surface_summary *s, const struct plan *plan)
+/** r and what the scans' frequencies were multiplied by. */
+static json_t *lay_json(const struct surface_summary *s)
 {
     json_t *json = json_object();
     json_set(json, "r", s->has_lay ? s->lay : NAN);
     json_set(json, "kappa", surface_kappa(s));
     if (s->scene->along.count > 0)
         json_object_set_new(json, "along", files_json(&s->scene->along));
-    if (s->perfect_lay[0] != 0) {
-        set_word(json, "perfect_lay_model", model_rows[plan_leading_model(plan)]->name);
-        json_set(json, "perfect_lay_area_factor", s->perfect_lay[0]);
-        json_set(json, "perfect_lay_ecr_factor", s->perfect_lay[1]);
-    }
     return json;
 }
 
@@ -297,7 +292,7 @@ static json_t *surface_json(const struct results *results, size_t index, struct 
     json_set(json, "rsk", roughness_skewness(&s->roughness));
     json_set(json, "rku", roughness_kurtosis(&s->roughness));
     json_object_set_new(json, "fit", fit_json(record, scene->fit));
-    json_object_set_new(json, "lay", lay_json(s, results->plan));
+    json_object_set_new(json, "lay", lay_json(s));
     set_count(json, "scans", s->scans);
     set_count(json, "scans_periodic", s->periodic);
     set_count(json, "scans_windowed", s->windowed);

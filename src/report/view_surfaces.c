@@ -176,11 +176,7 @@ void view_surfaces(json_t *out, const struct view_source *source)
     if (results->counterface)
         json_set(item, "counterface_rq_m", results->counterface->summary.roughness.rq_m);
     put_bodies(item, source);
-    const struct surface_summary *baseline = &source->baseline->summary;
-    if (!baseline->has_lay && baseline->perfect_lay[0] > 0) {
-        json_set(item, "perfect_lay_area", baseline->perfect_lay[0]);
-        json_set(item, "perfect_lay_ecr", baseline->perfect_lay[1]);
-    }
+    view_flag(item, "isotropic", !source->baseline->summary.has_lay);
 }
 
 /* ---- Inputs ---- */

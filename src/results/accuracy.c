@@ -9,7 +9,7 @@ double accuracy_few_waves_sd(const struct results *results, size_t surface)
 {
     const struct surface_task asked = results_task(results, surface);
     const struct model_task task = surface_model_task(&results->surfaces[surface], &asked);
-    return model_few_waves_sd(model_task_longest_waves(&task));
+    return model_few_waves_sd(model_task_reach(&task).longest_waves);
 }
 
 /** Sets what is known of a model's error: the table's, and how far it is from the direct solution of this surface. */
@@ -25,7 +25,7 @@ static void set_error(struct accuracy *out, const struct results *results, size_
     if (study && study->models && direct_study_kind_of(study, m) == direct_study_kind_of(study, leading))
         distance = direct_study_distance(study, &summary->pair, m, held);
     out->here = distance.loads > 0 ? fmax(distance.most, 1 / distance.least) : NAN;
-    out->sd = model_sd(model_rows[m], quantity);
+    out->sd = model_sd(model_rows[m], quantity, surface_knows_both(summary));
     if (out->sd > 0)
         out->sd = hypot(out->sd, accuracy_few_waves_sd(results, results->baseline));
     else if (model_rows[m]->uses_map)

@@ -145,7 +145,7 @@ void plan_choose_model(struct scene *scene)
     for (size_t m = 0; m < model_count; m++) {
         const struct model_row *row = model_rows[m], *before = chosen < model_count ? model_rows[chosen] : NULL;
         const double sd =
-            plan_runs_model(&plan, m) && row->plastic == hard ? model_sd(row, asked_quantity(&plan, scene)) : 0;
+            plan_runs_model(&plan, m) && row->plastic == hard ? model_sd(row, asked_quantity(&plan, scene), false) : 0;
         const bool good = model_factor(sd) - 1 <= scene->accuracy;
         if (!(sd > 0) || (met && !good))
             continue;

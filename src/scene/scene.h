@@ -234,7 +234,8 @@ bool scene_said(struct scene_said *out, const struct scene *scene, size_t k);
 
 /** Joins surfaces of one file each whose names differ in a number at the end alone, or in a letter behind a mark, into
  * one of repeated scans, named by what is left; not where that ends with surface, sample, specimen or part: the number
- * then counts these. In the order of names, each its own. Error: STATUS_MEMORY. */
+ * then counts these. Of those whose names then end in x and y, 0 and 90, across and along, q and l, perp and par, one
+ * surface of two directions. In the order of names, each its own. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code scene_join_repeats(struct scene *scene, struct status *status);
 
 /** Does data/ hold bins of the spectra instead of every harmonic? */

@@ -327,6 +327,52 @@ static int compare_repeats(const void *a, const void *b)
     return order ? order : strverscmp(first, second);
 }
 
+/* Ends of names, behind a mark, of the scans in two directions of a surface. */
+static const char *const directions[][2] = {{"x", "y"}, {"0", "90"}, {"across", "along"}, {"q", "l"}, {"perp", "par"}};
+
+/* Which of these words a surface's name ends in, one a pair (x 0, y 1, 0 2, ...), before the number of a scan if there
+ * is one, and how many bytes are before it; -1: in none. */
+static int direction_of(size_t *before, const struct scene_surface *surface)
+{
+    const size_t ends[] = {strlen(surface->name), root_length(surface->files.path[0])};
+    for (int i = 0; i < 2 * (int)(2 * SCENE_COUNT(directions)); i++) {
+        const char *word = directions[i / 4][i / 2 % 2];
+        const size_t length = strlen(word), end = ends[i % 2];
+        const char *at = surface->name + end - length;
+        *before = end - length - 1;
+        if (end <= ends[0] && end > length + 1 && strncasecmp(at, word, length) == 0 && strchr(repeat_marks, at[-1]))
+            return i / 2;
+    }
+    return -1;
+}
+
+/* How many bytes two names have in common that tell two directions of a surface, the second along; 0: they do not. */
+static size_t two_directions(const struct scene_surface *one, const struct scene_surface *other)
+{
+    size_t length, along;
+    const int across = direction_of(&length, one);
+    const bool are = across >= 0 && across % 2 == 0 && direction_of(&along, other) == across + 1 && length == along;
+    return are && strncmp(one->name, other->name, length) == 0 ? length : 0;
+}
+
+static void join_directions(struct scene *scene)
+{
+    struct scene_surface *all = scene->surfaces;
+    for (size_t i = 0; i < scene->surface_count; i++)
+        for (size_t j = 0; j < scene->surface_count; j++) {
+            const size_t length = two_directions(&all[i], &all[j]);
+            if (length == 0)
+                continue;
+            all[i].name[length] = '\0';
+            all[i].along = all[j].files;
+            all[j].files = (struct scene_files){0};
+            scene_surfaces_free(&all[j]);
+            memmove(all + j, all + j + 1, (--scene->surface_count - j) * sizeof *all);
+            i -= j < i;
+            break;
+        }
+}
+
 enum status_code scene_join_repeats(struct scene *scene, struct status *status)
 {
     struct scene_surface *all = scene->surfaces;
@@ -336,10 +382,15 @@ enum status_code scene_join_repeats(struct scene *scene, struct status *status)
         struct scene_surface *surface = &all[joined++];
         *surface = all[i];
         const char *file = surface->files.path[0];
-        for (end = i + 1; end < scene->surface_count && compare_roots(file, all[end].files.path[0]) == 0 &&
-                          scene_files_add(&surface->files, all[end].files.path[0], status) == STATUS_OK;
-             end++)
-            scene_surfaces_free(&all[end]);
+        for (end = i + 1; end < scene->surface_count && compare_roots(file, all[end].files.path[0]) == 0;)
+            end++;
+        if (end == i + 2 && (two_directions(&all[i], &all[i + 1]) || two_directions(&all[i + 1], &all[i])))
+            end--;
+        for (size_t k = i + 1; k < end; k++) {
+            enum status_code rc = scene_files_add(&surface->files, all[k].files.path[0], status);
+            (void)rc; /* the status tells */
+            scene_surfaces_free(&all[k]);
+        }
         if (end == i + 1)
             continue;
         free(surface->name);
@@ -347,5 +398,7 @@ enum status_code scene_join_repeats(struct scene *scene, struct status *status)
             (void)status_memory(status);
     }
     scene->surface_count = joined;
+    if (status->code == STATUS_OK)
+        join_directions(scene);
     return status->code == STATUS_OK ? tell_apart(scene, status) : status->code;
 }

@@ -27,7 +27,7 @@ TEST_IN_WORKSPACE(targets_are_answered)
 {
     scans(place);
     struct process run = run_scene(place, 0, SCENE "targets: [{ecr: 0.1 mohm}, {area: 5 %}]\n", NULL);
-    expect_parts(run.out, "To reach 0.1\u00a0mΩ, a needs ", "\n- A/Aₙ 5\u00a0% needs ", " on a");
+    expect_parts(run.out, "To reach 0.1\u00a0mΩ, a needs ", "\n- A/Aₙ 5\u00a0% needs ", " on ");
     char *report = workspace_read(place, "out/report.md");
     char *results = workspace_read(place, "out/results.json");
     expect_part(report, "\n\n**To reach 0.1\u00a0mΩ, *a* needs "); /* the first thing said */

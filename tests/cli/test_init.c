@@ -14,6 +14,8 @@ static void expect_surfaces(const char *place, const char *expected)
         text_add(found, "%s=", scene.surfaces[i].name);
         for (size_t f = 0; f < scene.surfaces[i].files.count; f++)
             text_add(found, "%s%s", f > 0 ? "|" : "", scene.surfaces[i].files.path[f]);
+        for (size_t f = 0; f < scene.surfaces[i].along.count; f++)
+            text_add(found, "%s%s", f > 0 ? "|" : "/", scene.surfaces[i].along.path[f]);
         text_add(found, "\n");
     }
     assert_string_equal(text_string(found), expected);
@@ -49,8 +51,8 @@ TEST_IN_WORKSPACE(names_tell_surfaces)
         {"surface-1.csv|surface-2.csv|Sample 1.csv|Sample 2.csv",
          "Sample 1=Sample 1.csv\nSample 2=Sample 2.csv\nsurface-1=surface-1.csv\nsurface-2=surface-2.csv\n",
          "surfaces:"},
-        {"1.csv|2.csv|p-x.csv|p-y.csv|ra-0.5.csv|ra-0.7.csv",
-         "1=1.csv\n2=2.csv\np-x=p-x.csv\np-y=p-y.csv\nra-0.5=ra-0.5.csv\nra-0.7=ra-0.7.csv\n", "surfaces:"},
+        {"1.csv|2.csv|p-x.csv|px.csv|py.csv|ra-0.5.csv|ra-0.7.csv",
+         "1=1.csv\n2=2.csv\np-x=p-x.csv\npx=px.csv\npy=py.csv\nra-0.5=ra-0.5.csv\nra-0.7=ra-0.7.csv\n", "surfaces:"},
         {"s.csv|s (1).csv|s (2).csv|t1.csv|t2.csv", "s=s (1).csv|s (2).csv|s.csv\nt=t1.csv|t2.csv\n",
          "    file:\n      - \"s (1).csv\"\n      - \"s (2).csv\"\n      - \"s.csv\"\n"},
         {"a-1.csv|a-2.csv|a-1.txt|a-2.txt", "a-1.csv=a-1.csv|a-2.csv\na-1.txt=a-1.txt|a-2.txt\n", "\"a-2.txt\""},
@@ -63,6 +65,17 @@ TEST_IN_WORKSPACE(names_tell_surfaces)
          "- &b *c=- &b *c.csv\nit's \"a: #1\" {x}, [y]=it's \"a: #1\" {x}, [y].csv\n",
          "    file: \"it's \\\"a: #1\\\" {x}, [y].csv\"\n"},
         {"\u202e\u00e9.csv", "\\u202e\u00e9=\u202e\u00e9.csv\n", "    file: \"\\u202e\u00e9.csv\"\n"},
+        {"p-x.csv|p-y.csv", "p=p-x.csv/p-y.csv\n",
+         "  # A guess: the names tell two directions of one surface. Which of them runs across the lay, their slopes "
+         "say.\n"
+         "  - name: \"p\"\n    file: \"p-x.csv\"\n    along:\n      - \"p-y.csv\"\n"},
+        {"a_Across-1.csv|a_Across-2.csv|a_along-1.csv|b 0.csv|b 90.csv|c-0.csv|c-45.csv|c-90.csv",
+         "a=a_Across-1.csv|a_Across-2.csv/a_along-1.csv\nb=b 0.csv/b 90.csv\nc=c-0.csv|c-45.csv|c-90.csv\n", "along:"},
+        {"f-l.csv|f-q.csv|g-perp/1.csv|g-perp/2.csv|g-par/"
+         "1.csv|h-l.csv|h-m.csv|h-q.csv|r_90_1.csv|r_90_2.csv|r_0_1.csv",
+         "f=f-q.csv/f-l.csv\ng=g-perp/1.csv|g-perp/2.csv/g-par/1.csv\nh=h-l.csv|h-m.csv|h-q.csv\n"
+         "r=r_0_1.csv/r_90_1.csv|r_90_2.csv\n",
+         "along:"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         make_files(place, cases[i].files);

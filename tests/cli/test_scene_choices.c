@@ -33,7 +33,7 @@ TEST_IN_WORKSPACE(few_waves_are_expected_to_cost_accuracy)
         const json_t *accuracy = json_object_get(view, "accuracy"), *few = json_object_get(accuracy, "few_waves");
         assert_true(waves > 0 && waves < 2.2);
         if (!closed) {
-            double own = model_sd(model_rows[model_named("strip-plastic")], QUANTITY_ECR),
+            double own = model_sd(model_rows[model_named("strip-plastic")], QUANTITY_ECR, false),
                    few_sd = 1.3 * log(2.5 / waves);
             assert_near(json_number_value(few), exp(1.96 * few_sd), 0.01);
             json_t *models = json_object_get(accuracy, "models"),

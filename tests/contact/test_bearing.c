@@ -23,7 +23,7 @@ TEST_CASE(counted)
         height[i] = ((double)k + 0.5) / WAVE;
         height[N + i] = k < WAVE / 2 ? ((double)k + 0.25) / (WAVE / 2) : ((double)(WAVE - k) - 0.75) / (WAVE / 2);
     }
-    struct strip_rows rows = {height, 2, N, 1e-3, true, NULL};
+    struct strip_rows rows = {height, 2, N, 1e-3, true, NULL, 0};
     struct bearing bearing;
     expect_ok(bearing_make, &bearing, &rows);
     for (double area = 0.1; area < 0.95; area += 0.1) {
@@ -53,7 +53,7 @@ TEST_CASE(smooth)
         for (int n = 12; n <= 24; n++)
             height[i] += cos(2 * M_PI * n * ((double)i / N + direct_random(7, (uint64_t)n)));
     }
-    struct strip_rows rows = {height, 1, N, 1e-6, true, NULL};
+    struct strip_rows rows = {height, 1, N, 1e-6, true, NULL, 0};
     struct bearing bearing;
     expect_ok(bearing_make, &bearing, &rows);
     assert_true(bearing.end[0] < bearing.nodes / 2 && bearing.end[1] > bearing.nodes / 2);
@@ -95,7 +95,7 @@ TEST_CASE(direct_solutions)
     expect_ok(direct_surface_make, height, SIDE,
               &(struct direct_recipe){direct_spectrum_variance, &spectrum, given, SIDE * SIDE}, 3);
     direct_spectrum_free(&spectrum);
-    const struct strip_rows rows = {height, SIDE, SIDE, 1e-6, true, NULL};
+    const struct strip_rows rows = {height, SIDE, SIDE, 1e-6, true, NULL, 0};
     struct bearing bearing;
     expect_ok(bearing_make, &bearing, &rows);
     solve(elastic, height, load, INFINITY);
@@ -156,7 +156,7 @@ TEST_CASE(models)
     static const char *const names[4] = {"corrected-persson", "strip", "corrected-persson-plastic", "strip-plastic"};
     for (size_t i = 0; i < N; i++)
         height[i] = 1e-7 * sin(0.05 * (double)i) + 3e-8 * sin(0.31 * (double)i);
-    struct strip_rows rows = {height, 1, N, 1e-6, false, NULL};
+    struct strip_rows rows = {height, 1, N, 1e-6, false, NULL, 0};
     struct strip strip = {.own = {.count = 2, .logit = {-4, 2}, .value = {{-9, 1, 2}, {-4, -2, 0}}}, .surrogates = 1};
     strip.surrogate[0] = strip.own;
     model_support_loads(load, MODEL_LOADS, 1e-5, 10);

@@ -110,7 +110,7 @@ TEST_CASE(test_any_task)
         size_t points = next_below(&seed, HEIGHTS_MOST + 1);
         for (size_t i = 0; i < points; i++)
             row[i] = 1e-6 * next_share(&seed);
-        struct strip_rows rows = {row, 1, points, 1e-6, t % 2, NULL};
+        struct strip_rows rows = {row, 1, points, 1e-6, t % 2, NULL, 0};
         struct strip strip = {
             .own = {.count = 3, .logit = {-4, -1, 2}, .value = {{-9, 1, 2}, {-5, 0, 1}, {-3, -2, -1}}},
             .surrogate[0] = {.count = 1, .logit = {-1}, .value = {{-6, 0, 1}}},
@@ -263,18 +263,23 @@ TEST_CASE(test_few_longest_waves)
     const struct spectrum spectrum = {.amplitude_m = amplitude_m, .count = 40, .length_m = 1e-3};
     struct strip_rows rows = {.periodic = false};
     struct model_task task = {.spectrum = &spectrum, .rows = &rows};
-    assert_near(model_task_longest_waves(&task), 2, 1e-12);
+    assert_near(model_task_reach(&task).longest_waves, 2, 1e-12);
     rows.periodic = true;
-    assert_within(model_task_longest_waves(&task), 0, 0);
+    assert_within(model_task_reach(&task).longest_waves, 0, 0);
     task.rows = NULL;
-    assert_within(model_task_longest_waves(&task), 0, 0);
-    assert_near(model_surface_sd(strip, QUANTITY_ECR, 2), hypot(0.54, 1.3 * log(1.25)), 1e-14);
-    assert_near(model_surface_sd(strip, QUANTITY_AREA, 1), hypot(0.37, 1.3 * log(2.5)), 1e-14);
-    assert_near(model_surface_sd(strip, QUANTITY_SEPARATION, 2.5), 0.48, 1e-14);
-    assert_near(model_surface_sd(strip, QUANTITY_SEPARATION, 0), 0.48, 1e-14);
-    assert_near(model_surface_sd(gw, QUANTITY_ECR, 1), hypot(0.87, 1.3 * log(2.5)), 1e-14);
-    assert_within(model_surface_sd(model_rows[model_named("direct")], QUANTITY_ECR, 1), 0, 0);
-    assert_within(model_surface_sd(strip, QUANTITY_SPOT_RADIUS, 1), 0, 0);
+    assert_within(model_task_reach(&task).longest_waves, 0, 0);
+    assert_near(model_surface_sd(strip, QUANTITY_ECR, (struct scans_reach){.longest_waves = 2}),
+                hypot(0.54, 1.3 * log(1.25)), 1e-14);
+    assert_near(model_surface_sd(strip, QUANTITY_AREA, (struct scans_reach){.longest_waves = 1}),
+                hypot(0.37, 1.3 * log(2.5)), 1e-14);
+    assert_near(model_surface_sd(strip, QUANTITY_SEPARATION, (struct scans_reach){.longest_waves = 2.5}), 0.48, 1e-14);
+    assert_near(model_surface_sd(strip, QUANTITY_SEPARATION, (struct scans_reach){.longest_waves = 0}), 0.48, 1e-14);
+    assert_near(model_surface_sd(gw, QUANTITY_ECR, (struct scans_reach){.longest_waves = 1}),
+                hypot(0.87, 1.3 * log(2.5)), 1e-14);
+    assert_within(
+        model_surface_sd(model_rows[model_named("direct")], QUANTITY_ECR, (struct scans_reach){.longest_waves = 1}), 0,
+        0);
+    assert_within(model_surface_sd(strip, QUANTITY_SPOT_RADIUS, (struct scans_reach){.longest_waves = 1}), 0, 0);
 }
 
 /* A model's error of a quantity is that of the area, gap or resistance that it follows. */
@@ -291,6 +296,6 @@ TEST_CASE(test_an_error_is_of_what_the_quantity_follows)
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         const int c = cases[i].column;
         static const double sd[] = {0.37, 0.48, 0.54};
-        assert_within(model_sd(strip, cases[i].quantity), c < 0 ? 0 : sd[c], 0);
+        assert_within(model_sd(strip, cases[i].quantity, false), c < 0 ? 0 : sd[c], 0);
     }
 }

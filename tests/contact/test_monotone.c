@@ -107,7 +107,13 @@ static bool make(struct made *out, size_t number)
     struct status status = {0};
     struct spectrum one;
     draw(out->height_m, number);
-    out->rows = (struct strip_rows){out->height_m, 1 + number / 12 % ROWS, POINTS, 1e-6, number % 5 == 0, NULL};
+    out->rows = (struct strip_rows){out->height_m,
+                                    1 + number / 12 % ROWS,
+                                    POINTS,
+                                    1e-6,
+                                    number % 5 == 0,
+                                    NULL,
+                                    strip_smoothing(1 + number / 12 % ROWS)};
     for (size_t r = 0; r < out->rows.rows; r++) {
         expect_ok(spectrum_compute, &one, out->height_m + r * POINTS, POINTS, 1e-6, SPECTRUM_WINDOW_NONE);
         if (r == 0)
@@ -204,6 +210,54 @@ TEST_CASE(no_curve_turns_back)
                               quantity_rows[curves[c].quantity].name, rises[m][c], solved, exp(most[m][c]));
         }
     assert_true(10 * solved > 9 * PROFILES);
+    assert_int_equal(total, 0);
+}
+
+/** The longest stretch of loads, in decades, over which a curve's logarithm changes by less than 1e-3, where A is .001
+ * to .9. */
+static double level_stretch(const struct contact_point *point, size_t count, enum quantity quantity)
+{
+    double most = 0;
+    for (size_t i = 0, first = 0; i < count; i++) {
+        const double area = point[i].value[QUANTITY_AREA];
+        if (!(area > 1e-3 && area < 0.9 && point[i].value[quantity] > 0)) { /* two heights alone leave no gap */
+            first = i + 1;
+            continue;
+        }
+        while (fabs(log(point[first].value[quantity] / point[i].value[quantity])) >= 1e-3)
+            first++;
+        most = fmax(most, log10(point[i].value[QUANTITY_LOAD] / point[first].value[QUANTITY_LOAD]));
+    }
+    return most;
+}
+
+/** No leading curve of gap or resistance has a stair of more than a fifth of a decade. */
+TEST_CASE(no_stairs)
+{
+    static const char *const leading[] = {"strip", "strip-plastic"};
+    struct made *made = support_room(sizeof *made);
+    struct contact_point point[LOADS + 1];
+    size_t stairs[2][CURVES] = {{0}}, total = 0;
+    double most = 0;
+    for (size_t n = 0; n < PROFILES; n++) {
+        if (!make(made, n))
+            continue;
+        for (size_t m = 0; m < 2; m++) {
+            struct model_curve curve = model_support_run(point, leading[m], &made->task);
+            for (size_t c = 1; c < CURVES; c++) {
+                const double level = level_stretch(point, curve.count, curves[c].quantity);
+                stairs[m][c] += level > 0.2;
+                total += level > 0.2;
+                most = fmax(most, level);
+            }
+        }
+        discard(made);
+    }
+    for (size_t m = 0; m < 2; m++)
+        for (size_t c = 1; c < CURVES; c++)
+            if (stairs[m][c] > 0)
+                print_message("%s, %s: %zu have stairs, of %.2g decades at most\n", leading[m],
+                              quantity_rows[curves[c].quantity].name, stairs[m][c], most);
     assert_int_equal(total, 0);
 }
 

@@ -40,7 +40,7 @@ TEST_CASE(sinusoid)
     for (int periodic = 0; periodic < 2; periodic++) {
         for (size_t i = 0; i < POINTS; i++)
             height[i] = amplitude_m * cos(2 * M_PI * ((double)i + 0.5) / POINTS);
-        struct strip_rows rows = {height, 1, POINTS, 1e-6, periodic, NULL};
+        struct strip_rows rows = {height, 1, POINTS, 1e-6, periodic, NULL, 0};
         struct strip strip = solved(&rows, 0);
         assert_in_range(strip.own.count, 8, STRIP_LOADS);
         assert_true(strip.transforms > 0);
@@ -61,7 +61,7 @@ TEST_CASE(gaussian_rows_have_a_ratio_of_one)
     double sum[3] = {0};
     for (uint64_t s = 0; s < SURFACES; s++) {
         double *height = gaussian_rows(ROWS, 77 + s);
-        struct strip_rows rows = {height, ROWS, POINTS, 1e-6, true, NULL};
+        struct strip_rows rows = {height, ROWS, POINTS, 1e-6, true, NULL, 0};
         struct strip strip = solved(&rows, STRIP_SURROGATES);
         struct strip_ratio ratio = strip_ratio_at(&strip, 0.2);
         sum[0] += ratio.load / SURFACES;
@@ -79,8 +79,8 @@ TEST_CASE(heights_tell)
     double *height = gaussian_rows(ROWS, 5);
     for (size_t i = 0; i < ROWS * POINTS; i++)
         height[i] = fmin(height[i], 0) + 0.02 * fmax(height[i], 0);
-    struct strip_rows rows = {height, ROWS, POINTS, 1e-6, false, NULL},
-                      alone = {height + POINTS, 1, POINTS, 1e-6, false, NULL};
+    struct strip_rows rows = {height, ROWS, POINTS, 1e-6, false, NULL, 0},
+                      alone = {height + POINTS, 1, POINTS, 1e-6, false, NULL, 0};
     struct strip strip = solved(&rows, STRIP_SURROGATES), again = solved(&rows, STRIP_SURROGATES);
     assert_memory_equal(&strip, &again, sizeof strip);
     double cost = (double)strip_cost(&rows);
@@ -131,6 +131,30 @@ TEST_CASE(areas)
     assert_near(strip_ratio_at(&strip, 1e-6).separation, strip_ratio_at(&strip, 1e-4).separation, 1e-12);
 }
 
+/** Ratios smoothed in logit A: those that are a line stay, of a peak less is left, the wider the less. */
+TEST_CASE(smoothed)
+{
+    enum { LOADS = 40 };
+    static const double widths[] = {0, 0.6, 1};
+    double loads[LOADS], area[2][3][LOADS], off[3] = {0};
+    model_support_loads(loads, LOADS, 1e-4, 0.1);
+    for (int peaked = 0; peaked < 2; peaked++)
+        for (int w = 0; w < 3; w++) {
+            struct strip strip = {
+                .own = {.count = 4, .logit = {-9, -3, -2.5, 4}}, .surrogates = 1, .smoothing = widths[w]};
+            strip.surrogate[0] = strip.own;
+            for (size_t k = 0; k < 4; k++)
+                strip.own.value[k][0] = 0.05 * strip.own.logit[k] + (peaked && k == 1 ? 0.3 : 0);
+            expect_ok(strip_areas, area[peaked][w], loads, LOADS, &strip, 0.04);
+        }
+    for (size_t i = 0; i < LOADS; i++)
+        for (int w = 0; w < 3; w++) {
+            assert_near(area[0][w][i], area[0][0][i], 1e-6);
+            off[w] = fmax(off[w], fabs(log(area[1][w][i] / area[0][w][i])));
+        }
+    assert_true(off[0] > 1.05 * off[1] && off[1] > 1.05 * off[2] && off[2] > 0.01);
+}
+
 /* Pieces of a longer scan, one far above the other, are loaded by the steepness of their waves: what the step between
  * them has would leave out the light loads. */
 TEST_CASE(steps_between_rows_are_no_slope)
@@ -139,7 +163,7 @@ TEST_CASE(steps_between_rows_are_no_slope)
     for (int step = 0; step < 2; step++) {
         for (size_t i = 0; step > 0 && i < POINTS; i++)
             height[i] += 1e-4;
-        const struct strip_rows rows = {height, 2, POINTS, 1e-6, true, NULL};
+        const struct strip_rows rows = {height, 2, POINTS, 1e-6, true, NULL, 0};
         struct strip strip = solved(&rows, 0);
         light[step] = strip.own.value[0][0];
     }
@@ -156,8 +180,8 @@ TEST_CASE(rows_are_mirrored)
             double at = height[r * POINTS + i] += 5e-9 * (double)i;
             mirrored[2 * r * POINTS + i] = mirrored[2 * (r + 1) * POINTS - 1 - i] = at;
         }
-    struct strip strip = solved(&(struct strip_rows){height, 2, POINTS, 1e-6, false, NULL}, 1);
-    struct strip expected = solved(&(struct strip_rows){mirrored, 2, 2 * POINTS, 1e-6, true, NULL}, 1);
+    struct strip strip = solved(&(struct strip_rows){height, 2, POINTS, 1e-6, false, NULL, 0}, 1);
+    struct strip expected = solved(&(struct strip_rows){mirrored, 2, 2 * POINTS, 1e-6, true, NULL, 0}, 1);
     assert_memory_equal(&strip, &expected, sizeof strip);
 }
 
@@ -166,7 +190,7 @@ TEST_CASE(rows_are_mirrored)
 TEST_CASE(gap_of_the_open_points)
 {
     double *height = gaussian_rows(1, 9), sum = 0;
-    struct strip strip = solved(&(struct strip_rows){height, 1, POINTS, 1e-6, true, NULL}, 0);
+    struct strip strip = solved(&(struct strip_rows){height, 1, POINTS, 1e-6, true, NULL, 0}, 0);
     struct direct_contact contact;
     size_t count = 0;
     expect_ok(direct_contact_make, &contact, height, &(struct direct_grid){POINTS, 1, 1e-6, false});
@@ -189,7 +213,7 @@ TEST_CASE(gap_of_the_open_points)
 TEST_CASE(nothing_to_solve)
 {
     double height[POINTS] = {0};
-    struct strip_rows rows = {height, 1, POINTS, 1e-6, false, NULL};
+    struct strip_rows rows = {height, 1, POINTS, 1e-6, false, NULL, 0};
     struct strip strip;
     expect_fails(STATUS_MODEL, "", strip_solve, &strip, &rows, 1, NULL);
 }
@@ -257,7 +281,7 @@ TEST_CASE(against_direct_solutions)
         expect_ok(direct_contact_make, &contact, height, &(struct direct_grid){SIDE, SIDE, 1e-6, false});
         expect_ok(direct_ladder_run, truth, &contact, &ladder);
         expect_ok(persson_make, &persson, &mean, 0);
-        struct strip_rows rows = {row, LINES, SIDE, 1e-6, true, NULL};
+        struct strip_rows rows = {row, LINES, SIDE, 1e-6, true, NULL, 0};
         struct strip strip = solved(&rows, STRIP_SURROGATES);
         errors(rms, NULL, &persson, loads, truth);
         for (int q = 0; q < 3; q++)
@@ -276,7 +300,7 @@ TEST_CASE(against_direct_solutions)
 TEST_CASE(roughly)
 {
     double *height = gaussian_rows(ROWS, 5);
-    struct strip_rows rows = {height, ROWS, POINTS, 1e-6, true, NULL};
+    struct strip_rows rows = {height, ROWS, POINTS, 1e-6, true, NULL, 0};
     struct strip strip = solved(&rows, STRIP_SURROGATES), rough = solved(&rows, STRIP_ROUGHLY);
     assert_int_equal(rough.surrogates, 1);
     assert_int_equal(rough.own.count, (strip.own.count + 1) / 2);

@@ -41,10 +41,10 @@ TEST_CASE(areas_error)
     for (size_t k = 0; k < sizeof over / sizeof *over; k++) {
         double sd[QUANTITY_COUNT], own = log(hypot(sqrt(pow(over[k], 4) - 1) * exp(2 * 0.37), 1) / pow(over[k], 2)) / 2;
         const struct contact_point point = point_of(1e-2 * over[k], 1e-6);
-        joint_model_sd(sd, &point, plastic, &task, 0);
+        joint_model_sd(sd, &point, plastic, &task, (struct scans_reach){0});
         assert_near(sd[QUANTITY_AREA], sqrt(own * own + 0.03 * 0.03), 1e-9);
-        joint_model_sd(sd, &point, plastic->elastic, &task, 0);
-        assert_near(sd[QUANTITY_AREA], model_sd(plastic->elastic, QUANTITY_AREA), 1e-12);
+        joint_model_sd(sd, &point, plastic->elastic, &task, (struct scans_reach){0});
+        assert_near(sd[QUANTITY_AREA], model_sd(plastic->elastic, QUANTITY_AREA, false), 1e-12);
     }
 }
 

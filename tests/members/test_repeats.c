@@ -199,9 +199,9 @@ TEST_CASE(the_mean_of_curves)
         else
             assert_true(isnan(curve.points[i].value[QUANTITY_SEPARATION]));
         assert_near(result.band[i].load, loads[i], 0);
-        const double half = half_width(sd / sqrt(3), model_sd(model, QUANTITY_AREA)),
-                     next = half_width(sd * sqrt(1 + 1 / 3.0), model_sd(model, QUANTITY_AREA)),
-                     gap_half = left ? half_width(gap_sd / sqrt(3), model_sd(model, QUANTITY_SEPARATION)) : NAN;
+        const double half = half_width(sd / sqrt(3), model_sd(model, QUANTITY_AREA, false)),
+                     next = half_width(sd * sqrt(1 + 1 / 3.0), model_sd(model, QUANTITY_AREA, false)),
+                     gap_half = left ? half_width(gap_sd / sqrt(3), model_sd(model, QUANTITY_SEPARATION, false)) : NAN;
         assert_near(result.band[i].mean[QUANTITY_AREA][1], fmin(1, exp(mean + half)), 1e-9);
         for (int side = 0; side < 2 && left; side++)
             assert_near(log(result.band[i].mean[QUANTITY_SEPARATION][side]), mean_gap + (side ? gap_half : -gap_half),

@@ -20,7 +20,7 @@ static struct strips strips_of(const double *height_m, size_t rows, size_t point
     assert_non_null(strips.seed);
     for (size_t r = 0; r < rows; r++)
         strips.seed[r] = (uint64_t)r << 32;
-    strips.rows = (struct strip_rows){strips.height_m, rows, points, spacing_m, periodic, strips.seed};
+    strips.rows = (struct strip_rows){strips.height_m, rows, points, spacing_m, periodic, strips.seed, 0};
     return strips;
 }
 

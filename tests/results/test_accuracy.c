@@ -33,12 +33,21 @@ TEST_CASE(errors_are_those_of_the_validation)
 TEST_CASE(every_model_has_its_error)
 {
     for (size_t m = 0; m < model_count; m++)
-        assert_true((model_sd(model_rows[m], QUANTITY_ECR) > 0) == !model_rows[m]->uses_map);
+        assert_true((model_sd(model_rows[m], QUANTITY_ECR, false) > 0) == !model_rows[m]->uses_map);
     const struct model_row *strip = model_rows[model_named("strip")];
-    assert_near(model_sd(strip, QUANTITY_AREA), 0.37, 1e-12);
-    assert_near(model_sd(strip, QUANTITY_MEAN_GAP), 0.48, 1e-12);
-    assert_near(model_sd(strip, QUANTITY_JOINT_ECR), 0.54, 1e-12);
+    assert_near(model_sd(strip, QUANTITY_AREA, false), 0.37, 1e-12);
+    assert_near(model_sd(strip, QUANTITY_MEAN_GAP, false), 0.48, 1e-12);
+    assert_near(model_sd(strip, QUANTITY_JOINT_ECR, false), 0.54, 1e-12);
     assert_near(model_factor(0.54), 2.8816, 1e-4);
+    for (size_t m = 0; m < model_count; m++) /* of two directions: strips' alone are another, and never larger */
+        for (int q = QUANTITY_AREA; q < QUANTITY_COUNT; q++) {
+            const double one = model_sd(model_rows[m], (enum quantity)q, false),
+                         two = model_sd(model_rows[m], (enum quantity)q, true);
+            assert_true(model_rows[m]->uses_strip ? two <= one : two == one);
+        }
+    assert_near(model_sd(strip, QUANTITY_AREA, true), 0.28, 1e-12);
+    assert_near(model_sd(strip, QUANTITY_MEAN_GAP, true), 0.38, 1e-12);
+    assert_near(model_sd(strip, QUANTITY_JOINT_ECR, true), 0.42, 1e-12);
 }
 
 /* Times are those of the run, errors the table's with that of the tolerance. */
@@ -49,7 +58,7 @@ TEST_CASE(what_accuracy_costs)
     const size_t gw = made_up_model("gw");
     struct accuracy of = accuracy_of(&made.results, gw, QUANTITY_ECR);
     assert_true(of.known);
-    assert_near(of.sd, model_sd(model_rows[gw], QUANTITY_ECR), 1e-12);
+    assert_near(of.sd, model_sd(model_rows[gw], QUANTITY_ECR, false), 1e-12);
     assert_near(of.seconds[0], 1e-6 * (double)(gw + 1), 1e-12);
     assert_near(of.total_error[0], hypot(model_factor(of.sd) - 1, 1e-3), 1e-12);
     for (size_t i = 0; i < made.benchmark.count; i++)

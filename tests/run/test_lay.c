@@ -86,7 +86,7 @@ TEST_IN_DIRECTORY(a_lay_stretches_the_waves)
         write_scans(place, "l", 0.6, 1);
         write_scans(place, "b", 1, 1 / kappa);
         run_scene(place, "lay", rows[k].files, rows[k].keys, direct);
-        run_scene(place, "stretched", rows[k].stretched, "", direct);
+        run_scene(place, "stretched", rows[k].stretched, ", lay: 1", direct);
         expect_same(place, "contact", "lay", "stretched", curves, 2e-6);
         expect_same(place, "bands", "lay", "stretched", bands, 1e-5);
         if (k == 2)
@@ -98,30 +98,76 @@ TEST_IN_DIRECTORY(a_lay_stretches_the_waves)
     }
 }
 
-/** Where no lay is known, what a perfect one would change is what it does change where it is given. */
-TEST_IN_DIRECTORY(an_unknown_lay_is_tried)
+/** Area and resistance of the leading model at the operating load, and the width of its interval. */
+static void answer_of(double out[3], const struct directory *place, const char *run)
 {
-    static const char *const files[] = {"'a*.csv'", "a1.csv"};
-    write_scans(place, "a", 1, 1);
-    for (int k = 0; k < 2; k++) {
-        double numbers[2][2] = {{0}};
-        run_scene(place, "unknown", files[k], "", "");
-        run_scene(place, "perfect", files[k], ", lay: 0", "");
-        for (int run = 0; run < 2; run++) {
-            struct table table = directory_table(place, run ? "perfect/data/contact.csv" : "unknown/data/contact.csv");
-            for (size_t row = 0; row < table.rows; row++)
-                if (strcmp(table_text(&table, row, "model"), "strip-plastic") == 0 &&
-                    fabs(table_number(&table, row, "load_over_AnEp") - 1e-3) < 1e-9) {
-                    numbers[run][0] = table_number(&table, row, "area_ratio");
-                    numbers[run][1] = table_number(&table, row, "ecr_ohm_m2");
-                }
+    struct table contact = directory_table(place, filled("%s/data/contact.csv", run)),
+                 bands = directory_table(place, filled("%s/data/bands.csv", run));
+    for (size_t row = 0; row < contact.rows; row++)
+        if (strcmp(table_text(&contact, row, "model"), "strip") == 0 &&
+            fabs(table_number(&contact, row, "load_over_AnEp") - 1e-3) < 1e-9) {
+            out[0] = table_number(&contact, row, "area_ratio");
+            out[1] = table_number(&contact, row, "ecr_ohm_m2");
         }
-        assert_true(numbers[1][0] > 1.02 * numbers[0][0]);
-        assert_near(lay_number(place, "unknown", "perfect_lay_area_factor"), numbers[1][0] / numbers[0][0], 1e-6);
-        assert_near(lay_number(place, "unknown", "perfect_lay_ecr_factor"), numbers[1][1] / numbers[0][1], 1e-6);
-        assert_near(lay_number(place, "unknown", "kappa"), 1, 0);
-        assert_near(lay_number(place, "perfect", "perfect_lay_area_factor"), 0, 0); /* there is none */
+    for (size_t row = 0; row < bands.rows; row++)
+        if (strcmp(table_text(&bands, row, "model"), "strip") == 0 &&
+            fabs(table_number(&bands, row, "load_over_AnEp") - 1e-3) < 1e-9)
+            out[2] = log(table_number(&bands, row, "ecr_ohm_m2_mean_high_95") /
+                         table_number(&bands, row, "ecr_ohm_m2_mean_low_95"));
+}
+
+/** Whichever of two directions a scene calls along, the steeper one is across: r is at most 1, every number is the
+ * same, and a note says so. The strips of the flatter one take part, and the interval is narrower than with r alone. */
+TEST_IN_DIRECTORY(the_steeper_direction_is_across)
+{
+    static const struct {
+        const char *steep, *flat;
+    } cases[] = {{"'a*.csv'", "'l*.csv'"}, {"a1.csv", "l2.csv"}};
+    static const char models[] = "models: [strip]\n", note[] = "its scans in 'along' are steeper";
+    write_scans(place, "a", 1, 1);
+    write_scans(place, "l", 0.6, 1.2);
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+        double right[3], wrong[3], alone[3], with_r[3];
+        run_scene(place, "right", cases[k].steep, filled(", along: %s", cases[k].flat), models);
+        run_scene(place, "wrong", cases[k].flat, filled(", along: %s", cases[k].steep), models);
+        run_scene(place, "alone", cases[k].steep, "", models);
+        const double r = lay_number(place, "wrong", "r");
+        run_scene(place, "with_r", cases[k].steep, filled(", lay: %.17g", r), models);
+        answer_of(right, place, "right");
+        answer_of(wrong, place, "wrong");
+        answer_of(alone, place, "alone");
+        answer_of(with_r, place, "with_r");
+        assert_true(r > 0.3 && r < 0.7);
+        assert_near(lay_number(place, "right", "r"), r, 1e-12);
+        for (int n = 0; n < 3; n++)
+            assert_near(right[n], wrong[n], 1e-12);
+        assert_true(fabs(log(right[0] / with_r[0])) > 1e-3); /* the flatter one's have a quarter */
+        assert_true(k == 0 || with_r[2] < alone[2]);         /* of three scans their scatter then counts more */
+        assert_true(k == 0 ? right[2] < with_r[2] : right[2] <= with_r[2] + 1e-9);
+        assert_null(strstr(directory_read(place, "right/results.json"), note));
+        assert_non_null(strstr(directory_read(place, "wrong/results.json"), note));
     }
+}
+
+/** Scans that are refused or copies are told in either direction; the same scans are no second direction. */
+TEST_IN_DIRECTORY(scans_along_are_read_as_others)
+{
+    write_scans(place, "a", 1, 1);
+    write_scans(place, "l", 0.6, 1);
+    directory_write(place, "in/l9.csv", "x [um],z [um]\n0,1\n");
+    run_scene(place, "o", "'l*.csv'", ", along: 'a*.csv'", "models: [strip]\n");
+    char *json = directory_read(place, "o/results.json");
+    assert_non_null(strstr(json, "1 of 7 files"));
+    assert_true(lay_number(place, "o", "r") < 1);
+    run_scene(place, "o", "'a*.csv'", ", along: 'l*.csv'", "models: [strip]\n");
+    assert_non_null(strstr(directory_read(place, "o/results.json"), "1 of 7 files"));
+    struct text *scene = support_text();
+    text_add(scene, "material: tin\nsurfaces: [{name: s, file: 'a*.csv', along: 'a*.csv'}]\n");
+    directory_write(place, "in/scene.yaml", text_string(scene));
+    struct run_outcome outcome;
+    struct status status = {0};
+    assert_int_not_equal(pipeline_into(&outcome, place, "in", "same", (struct run_options){.jobs = 1}, &status), 0);
+    assert_non_null(strstr(text_string(&outcome.messages), "along: its scans are those of 'file'"));
 }
 
 /** A map of waves along x and weaker ones along y, on a plane, has the ratio of their slopes; turned, the inverse. */

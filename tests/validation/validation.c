@@ -14,6 +14,7 @@
 #include "validation/height_laws.h"
 #include "validation/nulls.h"
 
+#include <fftw3.h>
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_sort.h>
 #include <gsl/gsl_statistics_double.h>
@@ -34,14 +35,27 @@ static const struct part {
         each; /* surfaces of a law: Hurst exponents in turn, then other seeds; from the 13th on twice the waves */
     size_t hardnesses;   /* 0: elastic */
     const char *more;    /* of the scene */
+    size_t along;        /* scans of the columns beside those of the rows; every second surface has the two exchanged */
+    double ratio;        /* Peklenik's: waves are so many times as long along y as along x */
     const char *bounded; /* in the table of bounds; NULL: not there */
     double bound[ASKED]; /* of the rms over all */
 } parts[] = {
-    {"5 scans, 4 waves", 4, 5, SIDE, LAWS, 3, 0, "", "leading answer, 5 scans, 4 waves", {0.30, 0.36, 0.42}},
-    {"1 scan, 4 waves", 4, 1, SIDE, LAWS, 3, 0, "", NULL, {0}},
-    {"5 scans, 2.5 waves", 4, 5, 150, LAWS, 3, 0, "", NULL, {0}},
-    {"5 scans, 0.6 waves", 1, 5, 150, LAWS, 3, 0, "", NULL, {0}},
-    {"5 scans, 4 waves, hardness", 4, 5, SIDE, LAWS, 4, HARDNESSES, "", "the same with hardness", {0.22, 0.50, 0.53}},
+    {"5 scans, 4 waves", 4, 5, SIDE, LAWS, 3, 0, "", 0, 0, "leading answer, 5 scans, 4 waves", {0.30, 0.36, 0.42}},
+    {"1 scan, 4 waves", 4, 1, SIDE, LAWS, 3, 0, "", 0, 0, NULL, {0}},
+    {"5 scans, 2.5 waves", 4, 5, 150, LAWS, 3, 0, "", 0, 0, NULL, {0}},
+    {"5 scans, 0.6 waves", 1, 5, 150, LAWS, 3, 0, "", 0, 0, NULL, {0}},
+    {"5 scans, 4 waves, hardness",
+     4,
+     5,
+     SIDE,
+     LAWS,
+     4,
+     HARDNESSES,
+     "",
+     0,
+     0,
+     "the same with hardness",
+     {0.22, 0.50, 0.53}},
     {"64 scans, 4 or 8 waves",
      4,
      64,
@@ -50,6 +64,8 @@ static const struct part {
      24,
      0,
      "models: [corrected-persson]\n",
+     0,
+     0,
      "corrected-persson, 64 scans, 4 or 8 waves",
      {0.068, 0.058, 0.086}},
     {"5 scans, 4 waves, synthesis",
@@ -60,13 +76,77 @@ static const struct part {
      6,
      0,
      "models: [corrected-persson]\ndirect: {grid: 256, seeds: 4, loads: [0.00015, 0.003, 0.0175]}\n",
+     0,
+     0,
      NULL,
      {0}},
+    {"two directions, 4 + 4",
+     4,
+     4,
+     SIDE,
+     LAWS,
+     2,
+     0,
+     "",
+     4,
+     1,
+     "two directions, 4 + 4 scans, isotropic",
+     {0.22, 0.26, 0.34}},
+    {"two directions, 4 + 4", 4, 4, SIDE, LAWS, 2, 0, "", 4, 3, "the same, Peklenik 3", {0.23, 0.29, 0.36}},
+    {"two directions, 4 + 4", 8, 4, SIDE, LAWS, 2, 0, "", 4, 10, "the same, Peklenik 10", {0.26, 0.35, 0.42}},
+    {"one direction, 8", 4, 8, SIDE, LAWS, 2, 0, "", 0, 1, NULL, {0}},
+    {"one direction, 8", 4, 8, SIDE, LAWS, 2, 0, "", 0, 3, NULL, {0}},
+    {"one direction, 8", 8, 8, SIDE, LAWS, 2, 0, "", 0, 10, NULL, {0}},
 };
-enum { HARD = 4, SPECTRUM, SYNTHESIS, PARTS };
+enum { HARD = 4, SPECTRUM, SYNTHESIS, TWO, ONE = TWO + 3, PARTS = ONE + 3 };
 
-/** A surface of rms gradient `gradient`, SIDE x SIDE. */
-static double *make_surface(size_t law, double hurst, double roll_off, uint64_t seed)
+/** Normal heights of waves that are `ratio` times as long along y, of random phases. */
+static void make_lay(double *height_m, const struct direct_spectrum *spectrum, double ratio, uint64_t seed)
+{
+    enum { HALF = SIDE / 2, ROW = HALF + 1 };
+    fftw_complex *mode = fftw_alloc_complex((size_t)SIDE * ROW);
+    memset(mode, 0, (size_t)SIDE * ROW * sizeof *mode);
+    for (long j = 1 - HALF; j < HALF; j++)
+        for (long i = 0; i < HALF; i++) {
+            const size_t row = (size_t)((j + SIDE) % SIDE), turned = (size_t)((SIDE - j) % SIDE);
+            const double amplitude = sqrt(direct_spectrum_variance(hypot((double)i, ratio * (double)j), spectrum)),
+                         phase = 2 * M_PI * direct_random(seed, row * ROW + (size_t)i);
+            if (i == 0 && j <= 0) /* of its other half */
+                continue;
+            mode[row * ROW + (size_t)i][0] = amplitude * cos(phase);
+            mode[row * ROW + (size_t)i][1] = amplitude * sin(phase);
+            if (i > 0)
+                continue;
+            mode[turned * ROW][0] = mode[row * ROW][0];
+            mode[turned * ROW][1] = -mode[row * ROW][1];
+        }
+    fftw_plan plan = fftw_plan_dft_c2r_2d(SIDE, SIDE, mode, height_m, FFTW_ESTIMATE);
+    fftw_execute(plan);
+    fftw_destroy_plan(plan);
+    fftw_free(mode);
+    const double sd = gsl_stats_sd(height_m, 1, GIVEN), mean = gsl_stats_mean(height_m, 1, GIVEN);
+    for (size_t k = 0; k < GIVEN; k++)
+        height_m[k] = (height_m[k] - mean) / sd;
+}
+
+/** Heights of that law with the rms gradient `gradient`, in place of normal ones. */
+static void give_law(double *height_m, size_t law)
+{
+    double sum = 0;
+    for (size_t k = 0; k < GIVEN; k++)
+        height_m[k] = height_laws[law].of(height_m[k]);
+    for (size_t k = 0; k < GIVEN; k++) {
+        const size_t i = k % SIDE, row = k / SIDE;
+        const double x = height_m[row * SIDE + (i + 1) % SIDE] - height_m[k],
+                     y = height_m[(row + 1) % SIDE * SIDE + i] - height_m[k];
+        sum += (x * x + y * y) / GIVEN;
+    }
+    for (size_t k = 0; k < GIVEN; k++)
+        height_m[k] *= gradient * spacing_m / sqrt(sum);
+}
+
+/** A surface of rms gradient `gradient`, SIDE x SIDE; ratio 0: isotropic, of a given law of heights to the letter. */
+static double *make_surface(size_t law, double hurst, double roll_off, double ratio, uint64_t seed)
 {
     double *height_m = coverage_allocate((size_t)SIDE * SIDE, sizeof *height_m),
            *given = coverage_allocate(GIVEN, sizeof *given), m2 = 0;
@@ -79,6 +159,13 @@ static double *make_surface(size_t law, double hurst, double roll_off, uint64_t 
     coverage_must(direct_spectrum_of_law(&spectrum, &rows, &status), &status);
     for (size_t k = 0; k < GIVEN; k++)
         given[k] = height_laws[law].of(gsl_cdf_ugaussian_Pinv(((double)k + 0.5) / GIVEN));
+    if (ratio > 0) {
+        make_lay(height_m, &spectrum, ratio, seed);
+        give_law(height_m, law);
+        direct_spectrum_free(&spectrum);
+        free(given);
+        return height_m;
+    }
     coverage_must(direct_surface_make(
                       height_m, SIDE,
                       &(struct direct_recipe){direct_spectrum_variance, &spectrum, law == 0 ? NULL : given, GIVEN},
@@ -105,11 +192,32 @@ static void solve(struct direct_point *out, const double *height_m, double hardn
     direct_contact_free(&contact);
 }
 
-/** Writes rows and a scene into the directory. */
-static void write_scans(const struct directory *place, const double *height_m, const struct part *part, double hardness)
+/** Writes evenly spaced rows, or columns, and lists them under `key`. */
+static void write_lines(const struct directory *place, struct text *scene, const char *key, const double *height_m,
+                        const struct part *part, bool columns)
 {
-    struct text scene = {0}, row = {0};
+    const size_t count = columns ? part->along : part->rows;
+    struct text row = {0};
     char name[32];
+    text_add(scene, "%s: [", key);
+    for (size_t r = 0; r < count; r++) {
+        const size_t at = (2 * r + 1) * SIDE / (2 * count);
+        text_add(&row, "x [um],z [nm]\n");
+        for (size_t i = 0; i < part->points; i++)
+            text_add(&row, "%zu,%.9g\n", i, height_m[columns ? i * SIDE + at : at * SIDE + i] * 1e9);
+        snprintf(name, sizeof name, "%s-%zu.csv", columns ? "column" : "row", r);
+        directory_write(place, name, text_string(&row));
+        text_free(&row);
+        text_add(scene, "%s%s", r > 0 ? ", " : "", name);
+    }
+    text_add(scene, "]");
+}
+
+/** Writes scans and a scene into the directory; turned: those of the columns as if they ran across. */
+static void write_scans(const struct directory *place, const double *height_m, const struct part *part, double hardness,
+                        bool turned)
+{
+    struct text scene = {0};
     double hardness_Pa = 1e11 * gradient * (isinf(hardness) ? 10 : hardness);
     text_add(&scene, "material: {E: 100 GPa, nu: 0, Sy: %.17g, resistivity: %g ohm m, hardness: %.17g}\n",
              hardness_Pa / material_hardness_ratio, resistivity_ohm_m, hardness_Pa);
@@ -118,18 +226,12 @@ static void write_scans(const struct directory *place, const double *height_m, c
     text_add(&scene, "load: {values: [");
     for (size_t i = 0; i < LOADS; i++)
         text_add(&scene, "%s%.17g", i > 0 ? ", " : "", loads[i] * gradient);
-    text_add(&scene, "]}\nsurfaces: [{name: s, file: [");
-    for (size_t r = 0; r < part->rows; r++) {
-        const double *z = height_m + (2 * r + 1) * SIDE / (2 * part->rows) * SIDE;
-        text_add(&row, "x [um],z [nm]\n");
-        for (size_t i = 0; i < part->points; i++)
-            text_add(&row, "%zu,%.9g\n", i, z[i] * 1e9);
-        snprintf(name, sizeof name, "row-%zu.csv", r);
-        directory_write(place, name, text_string(&row));
-        text_free(&row);
-        text_add(&scene, "%s%s", r > 0 ? ", " : "", name);
-    }
-    text_add(&scene, "]}]\n");
+    text_add(&scene, "]}\nsurfaces: [{name: s, ");
+    write_lines(place, &scene, part->along > 0 && turned ? "along" : "file", height_m, part, false);
+    text_add(&scene, ", ");
+    if (part->along > 0)
+        write_lines(place, &scene, turned ? "file" : "along", height_m, part, true);
+    text_add(&scene, "}]\n");
     directory_write(place, "scene.yaml", text_string(&scene));
     text_free(&scene);
 }
@@ -217,7 +319,7 @@ static void hold_synthesis(struct findings *findings, const struct surface_recor
 
 /** A surface's rows through the analysis. */
 static void hold(struct findings *findings, const double *height_m, const struct part *part, size_t law,
-                 double hardness, const struct direct_point *truth)
+                 double hardness, bool turned, const struct direct_point *truth)
 {
     struct directory place = directory_make();
     struct scene scene;
@@ -226,7 +328,7 @@ static void hold(struct findings *findings, const double *height_m, const struct
     struct status status = {0};
     double *own;
     size_t count, operating;
-    write_scans(&place, height_m, part, hardness);
+    write_scans(&place, height_m, part, hardness, turned);
     coverage_must(scene_read(&scene, place.path, NULL, &status), &status);
     plan_make(&plan, &scene, NULL);
     struct material_pair pair = scene_pair(&scene.surfaces[0].bodies);
@@ -345,6 +447,17 @@ static void add_overlaps(struct page *page, const char *name, const struct findi
     text_add(&page->text, "\n");
 }
 
+/** Rms, share beyond the interval and its median half width: in two directions, and in one. */
+static void add_directions(struct page *page, const struct findings *findings)
+{
+    page_rows(page, "directions");
+    for (size_t p = TWO; p < PARTS; p++) {
+        text_add(&page->text, "| %s | %g |", parts[p].title, parts[p].ratio);
+        add_rms(page, &findings[p], model_count, LAWS, LOADS, NULL);
+        add_intervals(page, &findings[p], model_count, p < ONE ? 0.09 : 0);
+    }
+}
+
 static void add_synthesis(struct page *page, const struct findings *findings)
 {
     static const size_t compared[] = {0, 3, 6}; /* of the loads */
@@ -369,12 +482,12 @@ static void run(struct findings *out, const struct part *part)
     for (size_t law = 0; law < part->laws; law++)
         for (size_t k = 0; k < part->each; k++) {
             double waves = part->roll_off * (k < 12 ? 1 : 2);
-            double *height_m = make_surface(law, hursts[k % HURSTS], waves, 1 + k);
+            double *height_m = make_surface(law, hursts[k % HURSTS], waves, part->ratio, 1 + k);
             for (size_t h = 0; h < part->hardnesses || h == 0; h++) {
                 struct direct_point truth[LOADS];
                 double hardness = part->hardnesses > 0 ? hardnesses[h] : INFINITY;
                 solve(truth, height_m, hardness);
-                hold(out, height_m, part, law, hardness, truth);
+                hold(out, height_m, part, law, hardness, k % 2, truth);
             }
             free(height_m);
         }
@@ -415,6 +528,7 @@ static void add_tables(struct page *page, const struct findings *findings)
     page_rows(page, "overlaps");
     for (size_t p = 0; p <= HARD; p += HARD)
         add_overlaps(page, parts[p].title, &findings[p]);
+    add_directions(page, findings);
     add_synthesis(page, &findings[SYNTHESIS]);
 }
 
