@@ -216,7 +216,7 @@ static enum status_code step(double *change, struct shape *shape, const double *
                              double share, struct status *status)
 {
     const double mean_Pa = shape->mean_Pa, ln_hardness = log(gap->most_Pa);
-    const double goal = fmax(fmin(1e-6, 1e-4 * *change), precision);
+    const double goal = *change < 1 ? fmax(1e-2 * *change, precision) : 1e-6;
     size_t n = shape->cells;
     double *scale = shape->room, *slope = scale + n, *rest = slope + n, *y[2] = {rest + n, rest + 2 * n};
     double *work = rest + 3 * n, *p = shape->pressure_Pa, *level = shape->level, *field = shape->field;
