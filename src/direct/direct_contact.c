@@ -664,7 +664,7 @@ enum status_code direct_contact_solve(struct direct_contact *contact, const stru
     enum status_code rc = solve(&solver, status);
     contact->convolutions += (contact->kernel.transforms - before) / 2;
     contact->solved = rc == STATUS_OK;
-    contact->capped = isfinite(load->hardness);
+    contact->capped = isfinite(solver.hardness);
     return rc;
 }
 

@@ -35,7 +35,7 @@ struct direct_contact {
     size_t set_count;
     double rms_m;                    /* root mean square of the height about its mean */
     bool solved;                     /* pressure and gap_m hold a solution, to start the next from */
-    bool capped;                     /* that with a hardness */
+    bool capped;                     /* that with a hardness which it reaches */
     size_t iterations, convolutions; /* that the last load to be solved took, with its constriction */
 };
 

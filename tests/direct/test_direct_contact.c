@@ -362,6 +362,30 @@ TEST_CASE(few_points_at_the_hardness)
     direct_spectrum_free(&spectrum);
 }
 
+/** A hardness that no load reaches costs nothing, from load to load either: no answer moves, and no convolution is
+ * added. One that is reached is no such. */
+TEST_CASE(hardness_not_reached)
+{
+    enum { N = 64, LOADS = 4 };
+    static const double pressure[LOADS] = {0.005, 0.01, 0.02, 0.04}, hardness[] = {1e3, 0.3};
+    double *height = recipe_surface(N);
+    for (int h = 0; h < 2; h++) {
+        struct direct_contact elastic = contact_of(height, N, N), capped = contact_of(height, N, N);
+        bool same = true;
+        for (int i = 0; i < LOADS; i++) {
+            struct direct_contact_load load = load_of(pressure[i], INFINITY, 1e-6);
+            load.warm = true;
+            (void)solved(&elastic, &load);
+            load.hardness = hardness[h];
+            (void)solved(&capped, &load);
+            same &= capped.convolutions == elastic.convolutions && capped.pressure[0] == elastic.pressure[0];
+        }
+        assert_int_equal(same, h == 0);
+        direct_contact_free(&elastic);
+        direct_contact_free(&capped);
+    }
+}
+
 /** A grid of 256 points a side starts from one of 128, and that from one of 64: fewer convolutions, those of the coarse
  * ones included, for the same solution. The same load again is no work. */
 TEST_CASE(starts_from_coarse_grids)
