@@ -181,8 +181,8 @@ static enum status_code make_model_room(struct surface_record *record, const str
 }
 
 /** Solves the strips that running models use. */
-static enum status_code solve_strips(struct surface_record *record, const struct plan *plan, const atomic_bool *stop,
-                                     struct status *status)
+static enum status_code solve_strips(struct surface_record *record, const struct plan *plan,
+                                     const struct threads *threads, struct status *status)
 {
     struct surface_summary *summary = &record->summary;
     struct ensemble *set = &record->ensemble;
@@ -190,9 +190,9 @@ static enum status_code solve_strips(struct surface_record *record, const struct
     double started = clock_seconds();
     if (!(plan_running_models(plan) & model_flagged(offsetof(struct model_row, uses_strip))) || strips->rows.rows == 0)
         return STATUS_OK;
-    enum status_code rc = strips_solve(strips, stop, status);
+    enum status_code rc = strips_solve(strips, threads, status);
     if (rc == STATUS_OK && set->scan_count > 1)
-        rc = strips_solve_members(strips, set, stop, status);
+        rc = strips_solve_members(strips, set, threads, status);
     summary->has_strips = strips->joined;
     for (size_t p = 0; p < set->count; p++) {
         summary->has_strips = summary->has_strips || set->members[p].strip;
@@ -207,7 +207,7 @@ static enum status_code solve_strips(struct surface_record *record, const struct
 }
 
 /** Solves the map that running models use. Where it has no answer these are taken out of the plan. */
-static enum status_code solve_tiles(struct surface_record *record, struct plan *plan, const atomic_bool *stop,
+static enum status_code solve_tiles(struct surface_record *record, struct plan *plan, const struct threads *threads,
                                     struct status *status)
 {
     struct surface_summary *summary = &record->summary;
@@ -217,7 +217,7 @@ static enum status_code solve_tiles(struct surface_record *record, struct plan *
         return STATUS_OK;
     if (plan_runs(plan, EFFECT_PLASTICITY) && summary->pair.hardness_Pa > 0)
         hardness = summary->pair.hardness_Pa / summary->pair.effective_modulus_Pa;
-    if (tiles_solve(tiles, hardness, stop, status) != STATUS_OK)
+    if (tiles_solve(tiles, hardness, threads, status) != STATUS_OK)
         return status->code;
     summary->has_tiles = tiles->transfer != NULL;
     summary->tile_transforms = tiles->transforms;
@@ -295,9 +295,9 @@ enum status_code surface_answers_find(struct surface_record *record, const struc
     if (plan_runs(&plan, EFFECT_DIRECT))
         rc = direct_study_plan(record, &asked, status);
     if (rc == STATUS_OK)
-        rc = solve_tiles(record, &plan, asked.stop, status);
+        rc = solve_tiles(record, &plan, &asked.threads, status);
     if (rc == STATUS_OK)
-        rc = solve_strips(record, &plan, asked.stop, status);
+        rc = solve_strips(record, &plan, &asked.threads, status);
     if (rc == STATUS_OK)
         rc = curves_run(record, &asked, status);
     return rc;

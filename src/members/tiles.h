@@ -3,10 +3,10 @@
 #ifndef MEMBERS_TILES_H
 #define MEMBERS_TILES_H
 
+#include "base/threads.h"
 #include "contact/transfer.h"
 #include "direct/direct_map.h"
 #include "scan/scan.h"
-#include <stdatomic.h>
 
 enum { TILES_SIDE = 512, TILES_MOST = 4 };
 
@@ -39,8 +39,8 @@ extern const double tiles_budget;
 bool tiles_fit(struct tiles *tiles, bool capped, double most);
 
 /** Solves the squares, elastic and below the hardness h = H/E' (INFINITY: elastic alone), and what tells their error. A
- * map that has no answer has none. Errors: STATUS_INTERRUPTED, STATUS_MEMORY. */
-MUST_CHECK enum status_code tiles_solve(struct tiles *tiles, double hardness, const atomic_bool *stop,
+ * map that has no answer has none. The same from any number of threads. Errors: STATUS_INTERRUPTED, STATUS_MEMORY. */
+MUST_CHECK enum status_code tiles_solve(struct tiles *tiles, double hardness, const struct threads *threads,
                                         struct status *status);
 
 #endif
