@@ -222,6 +222,10 @@ static enum status_code solve_tiles(struct surface_record *record, struct plan *
     summary->has_tiles = tiles->transfer != NULL;
     summary->tile_transforms = tiles->transforms;
     summary->times.tiles = clock_seconds() - started;
+    const double *changed = tiles->low_pass;
+    if (summary->has_tiles && tiles->def.cutoff > 0 && isfinite(changed[0] + changed[1] + changed[2]))
+        note_add(&summary->notes, NULL, "note.low_pass\narea %+.2g\ngap %+.2g\nresistance %+.2g",
+                 100 * expm1(changed[0]), 100 * expm1(changed[1]), 100 * expm1(changed[2]));
     if (summary->has_tiles)
         return STATUS_OK;
     summary->tile_cost = 0; /* more of it would not help */

@@ -165,11 +165,12 @@ static enum status_code add_profile(const struct surface_scans *task, const stru
 enum { LEAST_POINTS = 11 };
 
 /** Takes out of a map what neither a row nor a direct solution can hold: both are of the heights that are left. */
-static enum status_code condition_map(struct direct_map_def *map, struct scan *scan, struct status *status)
+static enum status_code condition_map(struct direct_map_def *map, struct scan *scan, const struct scene *scene,
+                                      struct status *status)
 {
     size_t side = scan->nx < scan->ny ? scan->nx : scan->ny;
     *map = (struct direct_map_def){.nx = scan->nx, .ny = scan->ny, .dx_m = scan->dx_m, .dy_m = scan->dy_m};
-    if (direct_map_condition(scan->z_m, map, status) != STATUS_OK)
+    if (direct_map_condition(scan->z_m, map, scene->lambda_s_given && !(scene->lambda_s_m > 0), status) != STATUS_OK)
         return status->code;
     side = side < DIRECT_SIDE ? side : DIRECT_SIDE;
     map->periodic = map->periodic && map->nx == side && map->ny == side;
@@ -286,7 +287,7 @@ enum status_code surface_rows_add(const struct surface_scans *task, struct scan 
     const double rq_before_m = summary->roughness.rq_m;
     double sq_m2 = NAN;
     struct status first = {0};
-    if ((areal && condition_map(&map, scan, status) != STATUS_OK) ||
+    if ((areal && condition_map(&map, scan, scene, status) != STATUS_OK) ||
         repeats_add_scan(set, scene_file, status) != STATUS_OK)
         return status->code;
     double cutoff_m = fmax(summary->cutoff_m, map.cutoff * map.dx_m);

@@ -305,8 +305,11 @@ static void find_errors(struct transfer_errors *out, struct work *work, int kind
             for (size_t s = 0; s < work->count; s++)
                 over[s] = ln_of(&points_of(work, kind, s)[only[k]], q);
             double error = of[DIRECT_MAP_WHOLE] - of[DIRECT_MAP_SECOND];
-            if (direct_map_has(&work->first, DIRECT_MAP_WIDER))
-                error = hypot(error, of[DIRECT_MAP_WIDER] - of[DIRECT_MAP_SECOND]);
+            double wider =
+                direct_map_has(&work->first, DIRECT_MAP_WIDER) ? of[DIRECT_MAP_WIDER] - of[DIRECT_MAP_SECOND] : 0;
+            error = direct_map_has(&work->first, DIRECT_MAP_WIDER) ? hypot(error, wider) : error;
+            if (k == ladder.loads / 2)
+                work->tiles->low_pass[q] = wider;
             out->value[k][q] =
                 hypot(error, quartered(work) ? scatter(of + DIRECT_MAP_QUARTER, 4) : scatter(over, work->count));
         }
@@ -390,13 +393,13 @@ static bool learn(struct work *work, int kind)
     return known;
 }
 
-/** The first square by kinds, what takes longest first; then, by kinds, the others and the parts of the first. */
+/** The first square below the hardness and elastic; then, in this order, the others and the parts of the first. */
 static enum status_code solve_task(void *context, size_t index, struct threads_turn *turn, struct status *status)
 {
     struct work *work = context;
     const size_t others = work->count - 1 + DIRECT_MAP_PARTS - DIRECT_MAP_SECOND;
     const bool leads = index < work->kinds;
-    const int kind = (int)(leads ? work->kinds - 1 - index : (index - work->kinds) / others);
+    const int kind = (int)(work->kinds - 1 - (leads ? index : (index - work->kinds) / others));
     const size_t s = leads ? 0 : 1 + (index - work->kinds) % others;
     uint64_t transforms = 0;
     (void)turn;

@@ -17,6 +17,8 @@ struct tiles {
     size_t side, columns, rows; /* squares of the map that are solved */
     size_t all;                 /* squares that it holds */
     struct transfer *transfer;  /* NULL: not solved */
+    double low_pass[3];         /* ln of area, gap and constriction length that the low-pass has changed, about, at a
+                                   middle load; 0: none */
     struct status problem;      /* why it is not */
     uint64_t transforms;        /* pairs of transforms times points that solving took */
 };

@@ -87,7 +87,8 @@ static const double report_seconds = 0.25, surface_seconds = 1e-3, point_seconds
 double work_seconds(const struct results *results, size_t threads)
 {
     const struct plan *plan = results->plan;
-    double sum = 0, longest = 0; /* what a surface is solved by is one after the other */
+    double sum = 0, longest = 0;
+    const double busy = threads >= 2 * results->surface_count ? 2 : 1; /* threads, by what a surface is solved by */
     size_t models = 0;
     for (size_t m = 0; m < model_count; m++)
         models += plan_runs_model(plan, m);
@@ -101,7 +102,7 @@ double work_seconds(const struct results *results, size_t threads)
         double strips = (summary->has_strips ? summary->strip_cost : 0) + (summary->has_tiles ? summary->tile_cost : 0);
         strips *= effects_transform_seconds;
         sum += strips;
-        longest = fmax(longest, strips);
+        longest = fmax(longest, strips / busy);
         if (plan_runs(plan, EFFECT_UNCERTAINTY) && summary->single_points > 0)
             sum += uncertainty_seconds(summary->single_points);
     }
