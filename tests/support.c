@@ -9,6 +9,8 @@
 #include <stdio.h>
 #include <time.h>
 
+const struct threads test_alone = {.jobs = 1};
+
 static struct {
     void *what;
     void (*end)(void *what);

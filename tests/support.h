@@ -5,6 +5,7 @@
 #define TEST_SUPPORT_H
 
 #include "base/status.h"
+#include "base/threads.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -52,6 +53,9 @@ void *test_owns(void *what, void (*end)(void *what));
 int test_end(void **state, CMFixtureFunction after);
 /** The fixture of the group is made: what was given so far is not the first test's. */
 void test_keep(void);
+
+/** The one thread, to the end. */
+extern const struct threads test_alone;
 
 /** Fails unless |actual - expected| <= rtol |expected| (both zero passes; non-finite never does). */
 #define assert_near(actual, expected, rtol) support_near((actual), (expected), (rtol), 0.0, #actual, __FILE__, __LINE__)

@@ -155,8 +155,8 @@ static enum status_code make_model_room(struct surface_record *record, const str
 }
 
 /** Solves the strips that running models use. */
-static enum status_code solve_strips(struct surface_record *record, const struct plan *plan, const atomic_bool *stop,
-                                     struct status *status)
+static enum status_code solve_strips(struct surface_record *record, const struct plan *plan,
+                                     const struct threads *threads, struct status *status)
 {
     struct surface_summary *summary = &record->summary;
     struct ensemble *set = &record->ensemble;
@@ -164,11 +164,11 @@ static enum status_code solve_strips(struct surface_record *record, const struct
     double started = clock_seconds();
     if (!(plan_running_models(plan) & model_flagged(offsetof(struct model_row, uses_strip))) || strips->rows.rows == 0)
         return STATUS_OK;
-    enum status_code rc = strips_solve(strips, stop, status);
+    enum status_code rc = strips_solve(strips, threads, status);
     if (rc == STATUS_OK && set->scan_count > 1)
-        rc = strips_solve_members(strips, set, stop, status);
+        rc = strips_solve_members(strips, set, threads, status);
     if (rc == STATUS_OK && record->flatter)
-        rc = strips_solve(&record->flatter->strips, stop, status);
+        rc = strips_solve(&record->flatter->strips, threads, status);
     summary->has_strips = strips->joined;
     for (size_t p = 0; p < set->count; p++) {
         summary->has_strips = summary->has_strips || set->members[p].strip;
@@ -183,7 +183,7 @@ static enum status_code solve_strips(struct surface_record *record, const struct
 }
 
 /** Solves the map that running models use. Where it has no answer these are taken out of the plan. */
-static enum status_code solve_tiles(struct surface_record *record, struct plan *plan, const atomic_bool *stop,
+static enum status_code solve_tiles(struct surface_record *record, struct plan *plan, const struct threads *threads,
                                     struct status *status)
 {
     struct surface_summary *summary = &record->summary;
@@ -193,11 +193,15 @@ static enum status_code solve_tiles(struct surface_record *record, struct plan *
         return STATUS_OK;
     if (plan_runs(plan, EFFECT_PLASTICITY) && summary->pair.hardness_Pa > 0)
         hardness = summary->pair.hardness_Pa / summary->pair.effective_modulus_Pa;
-    if (tiles_solve(tiles, hardness, stop, status) != STATUS_OK)
+    if (tiles_solve(tiles, hardness, threads, status) != STATUS_OK)
         return status->code;
     summary->has_tiles = tiles->transfer != NULL;
     summary->tile_transforms = tiles->transforms;
     summary->times.tiles = clock_seconds() - started;
+    const double *changed = tiles->low_pass;
+    if (summary->has_tiles && tiles->def.cutoff > 0 && isfinite(changed[0] + changed[1] + changed[2]))
+        note_add(&summary->notes, NULL, "note.low_pass\narea %+.2g\ngap %+.2g\nresistance %+.2g",
+                 100 * expm1(changed[0]), 100 * expm1(changed[1]), 100 * expm1(changed[2]));
     if (summary->has_tiles)
         return STATUS_OK;
     summary->tile_cost = 0; /* more of it would not help */
@@ -268,9 +272,9 @@ enum status_code surface_answers_find(struct surface_record *record, const struc
     if (plan_runs(&plan, EFFECT_DIRECT))
         rc = direct_study_plan(record, &asked, status);
     if (rc == STATUS_OK)
-        rc = solve_tiles(record, &plan, asked.stop, status);
+        rc = solve_tiles(record, &plan, &asked.threads, status);
     if (rc == STATUS_OK)
-        rc = solve_strips(record, &plan, asked.stop, status);
+        rc = solve_strips(record, &plan, &asked.threads, status);
     if (rc == STATUS_OK)
         rc = curves_run(record, &asked, status);
     return rc;

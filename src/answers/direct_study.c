@@ -105,7 +105,7 @@ static struct direct_ensemble_def ensemble_def(struct maker *maker, enum direct_
     bool capped = kind == DIRECT_STUDY_CAPPED;
     return (struct direct_ensemble_def){
         .ladder = {plan->load, capped ? plan->capped_loads : plan->loads, capped ? plan->hardness : INFINITY,
-                   contact_tolerance, plan->resistance, maker->task->asked.stop},
+                   contact_tolerance, plan->resistance, maker->task->asked.threads.stop},
         .map = plan->side > 0 ? &maker->map : NULL,
         .length_m = plan->length_m,
         .n = plan->side > 0 ? plan->side : plan->grid,
@@ -113,7 +113,7 @@ static struct direct_ensemble_def ensemble_def(struct maker *maker, enum direct_
         .recipe = {direct_spectrum_variance, &maker->spectrum, plan->gaussian ? NULL : surface->direct_m,
                    surface->direct_count},
         .seeds = capped ? plan->fewer : plan->seeds,
-        .threads = maker->task->threads,
+        .threads = maker->task->asked.threads.jobs,
         .solved = maker->task->progress ? tell : NULL,
         .solved_context = maker,
     };

@@ -45,7 +45,6 @@ struct direct_study_task {
     const struct surface_record *surface; /* described, with its direct_m; its plan is possible */
     size_t index;
     struct surface_task asked;                                /* but its loads: those of the plan are solved */
-    unsigned threads;                                         /* 0: one a processor; the result does not depend on it */
     void (*progress)(void *context, double done, double all); /* told of work done, from several threads; NULL: not */
     void *progress_context;
 };

@@ -25,7 +25,7 @@ struct uncertainty_scan {
     struct record_conditioning how;
     const struct model_task *task; /* of the scan itself */
     const struct joint_task *joint;
-    const atomic_bool *stop;
+    const struct threads *threads;
 };
 
 /** Standard errors of one model's answers, all of ln answer: of the quantities of an ensemble_band, as they are there.
@@ -147,7 +147,7 @@ static enum status_code simulate(struct simulated out[2], const struct uncertain
          ensemble_pair(&out->quarters, &out[1].quarters, status) != STATUS_OK ||
          ensemble_pair(&out->records, &out[1].records, status) != STATUS_OK))
         return status->code;
-    return out->quarters.keeps_heights ? strips_solve_members(&out->strips, &out->quarters, scan->stop, status)
+    return out->quarters.keeps_heights ? strips_solve_members(&out->strips, &out->quarters, scan->threads, status)
                                        : STATUS_OK;
 }
 
@@ -259,8 +259,10 @@ enum status_code uncertainty_run(struct surface_record *record, const struct sur
     double started = clock_seconds();
     const struct joint_task joint = surface_joint(record, asked->scene, asked->plan, task);
     const struct surface_record *const bodies[] = {record, record->counterface};
-    struct uncertainty_scan scan = {
-        .how = record_conditioning_of(asked->scene, false), .task = &counted, .joint = &joint, .stop = asked->stop};
+    struct uncertainty_scan scan = {.how = record_conditioning_of(asked->scene, false),
+                                    .task = &counted,
+                                    .joint = &joint,
+                                    .threads = &asked->threads};
     for (size_t k = 0; k < 2 && bodies[k]; k++)
         scan.body[k] = (struct record_heights){bodies[k]->height_m, bodies[k]->summary.single_points,
                                                bodies[k]->summary.spacing_m / surface_kappa(summary)};

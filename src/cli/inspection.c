@@ -19,7 +19,7 @@ static enum status_code look_at_low_pass(struct inspection *out, struct status *
     if (!(scan.z_m = malloc(size)))
         return status_memory(status);
     memcpy(scan.z_m, out->scan.z_m, size);
-    if (direct_map_condition(scan.z_m, &map, status) == STATUS_OK && map.cutoff > 0 &&
+    if (direct_map_condition(scan.z_m, &map, false, status) == STATUS_OK && map.cutoff > 0 &&
         areal_parameters_of(&left, &scan, status) == STATUS_OK)
         scan_warn(&out->scan,
                   "a report low-passes it at %.3g um, as more than 2 %% of its slopes are shorter: Sq %.3g → %.3g um, "

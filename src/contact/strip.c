@@ -138,13 +138,15 @@ static size_t overlapping(const struct direct_contact *contact)
     return count;
 }
 
-/** Strips of the same points, solved one after another. */
+/** A strip and its surrogates, on several threads. */
 struct solver {
-    double *strip_m;               /* heights of the one at work */
-    struct direct_contact contact; /* of no points before the first */
-    bool rough;                    /* STRIP_ROUGHLY */
+    struct strip *out;
+    const struct strip_rows *rows;
+    struct phases phases;
+    double *strip_m; /* heights of the strip and of every surrogate, each of so many points */
+    size_t points, surrogates;
+    bool rough; /* STRIP_ROUGHLY */
     const atomic_bool *stop;
-    size_t convolutions;
 };
 
 /** Puts a solution into the curve, from its end on; those that complete contact or come no further down say nothing. */
@@ -169,22 +171,19 @@ static enum status_code add_solution(struct strip_curve *curve, struct direct_co
     return STATUS_OK;
 }
 
-/** The strip at work, down the ladder until too few points touch. */
-static enum status_code solve_strip(struct strip_curve *curve, struct solver *solver, const struct strip_rows *rows,
-                                    struct status *status)
+/** The strip, or a surrogate, down the ladder until too few points touch. */
+static enum status_code solve_strip(struct strip_curve *curve, size_t *convolutions, const struct solver *solver,
+                                    size_t index, struct status *status)
 {
-    struct direct_contact *contact = &solver->contact;
-    size_t length = row_length(rows), points = rows->rows * length;
-    double slope = sqrt(mean_square_slope(solver->strip_m, points, length, rows->spacing_m));
-    *curve = (struct strip_curve){0};
-    if ((contact->kernel.points > 0
-             ? direct_contact_lay(contact, solver->strip_m, status)
-             : direct_contact_make(contact, solver->strip_m, &(struct direct_grid){points, 1, rows->spacing_m, false},
-                                   status)) != STATUS_OK)
+    struct direct_contact made, *contact = &made;
+    const size_t points = solver->points;
+    const double spacing_m = solver->rows->spacing_m, *strip_m = solver->strip_m + index * points;
+    double slope = sqrt(mean_square_slope(strip_m, points, row_length(solver->rows), spacing_m));
+    if (direct_contact_make(contact, strip_m, &(struct direct_grid){points, 1, spacing_m, false}, status) != STATUS_OK)
         return status->code;
     const size_t step = solver->rough ? ROUGH_STEP : 1;
     bool enough = true;
-    for (size_t i = STRIP_LOADS + step - 1; i >= step && enough;) {
+    for (size_t i = STRIP_LOADS + step - 1; i >= step && enough && status->code == STATUS_OK;) {
         i -= step;
         double tolerance = ladder[i].tolerance * (solver->rough ? ROUGH_TOLERANCE : 1);
         struct direct_contact_load load = {ladder[i].load * slope, INFINITY, tolerance, true, solver->stop};
@@ -196,12 +195,15 @@ static enum status_code solve_strip(struct strip_curve *curve, struct solver *so
             if (enough)
                 (void)add_solution(curve, contact, &load, &found, &problem);
         }
-        solver->convolutions += contact->convolutions;
+        *convolutions += contact->convolutions;
         if (problem.code == STATUS_MODEL)
             curve->unsolved++; /* the next one starts anew */
         else if (problem.code != STATUS_OK)
-            return status_fail(status, problem.code, "%s", problem.message);
+            (void)status_fail(status, problem.code, "%s", problem.message);
     }
+    direct_contact_free(contact);
+    if (status->code != STATUS_OK)
+        return status->code;
     if (curve->count == 0)
         return status_fail(status, STATUS_MODEL,
                            "no load of the strip has %d points in contact; take longer or denser scans",
@@ -214,37 +216,59 @@ static enum status_code solve_strip(struct strip_curve *curve, struct solver *so
     return STATUS_OK;
 }
 
-enum status_code strip_solve(struct strip *out, const struct strip_rows *rows, size_t surrogates,
-                             const atomic_bool *stop, struct status *status)
+/** Heights of the surrogates, one after another. */
+static void draw_surrogates(double *strip_m, size_t points, struct solver *solver, struct status *status)
 {
-    size_t length = row_length(rows), points;
-    struct phases phases = {0};
-    struct solver solver = {.strip_m = strip_join(&points, rows), .rough = surrogates == STRIP_ROUGHLY, .stop = stop};
-    *out = (struct strip){.smoothing = rows->smoothing};
-    surrogates = solver.rough ? 1 : surrogates;
-    if (!solver.strip_m)
-        return status_memory(status);
-    if (phases_of(&phases, solver.strip_m, length, rows->rows, status) == STATUS_OK)
-        (void)solve_strip(&out->own, &solver, rows, status);
-    out->unsolved = out->own.unsolved;
-    for (size_t s = 0; s < surrogates && status->code == STATUS_OK; s++) {
-        struct strip_curve *curve = &out->surrogate[out->surrogates];
-        struct status problem = {0};
+    const struct strip_rows *rows = solver->rows;
+    size_t length = row_length(rows);
+    for (size_t s = 0; s < solver->surrogates; s++) {
+        double *own_m = strip_m + s * points;
         for (size_t r = 0; r < rows->rows && s % 2 == 0; r++)
-            draw_row(solver.strip_m + r * length, &phases, length, rows->seed ? rows->seed[r] + s / 2 : s / 2 + 1,
+            draw_row(own_m + r * length, &solver->phases, length, rows->seed ? rows->seed[r] + s / 2 : s / 2 + 1,
                      rows->seed ? 0 : r << 32, status);
         for (size_t k = 0; k < points && s % 2 == 1; k++) /* turned over, which is as likely and errs the other way */
-            solver.strip_m[k] = 2 * phases.mean_m - solver.strip_m[k];
-        if (status->code == STATUS_OK)
-            (void)solve_strip(curve, &solver, rows, &problem);
-        out->unsolved += curve->unsolved;
-        out->surrogates += problem.code == STATUS_OK;
-        if (problem.code != STATUS_OK && (problem.code != STATUS_MODEL || s + 1 - out->surrogates == surrogates))
-            (void)status_fail(status, problem.code, "%s", problem.message);
+            own_m[k] = 2 * solver->phases.mean_m - own_m[k - points];
     }
-    out->transforms = solver.convolutions * points;
-    direct_contact_free(&solver.contact);
-    phases_free(&phases);
+}
+
+/** The strip, and then every surrogate. */
+static enum status_code solve_task(void *context, size_t index, struct threads_turn *turn, struct status *status)
+{
+    struct solver *solver = context;
+    struct strip *out = solver->out;
+    struct strip_curve curve = {0};
+    struct status problem = {0};
+    size_t convolutions = 0;
+    (void)solve_strip(&curve, &convolutions, solver, index, &problem);
+    if (!threads_wait(turn))
+        return STATUS_OK;
+    *(index == 0 ? &out->own : &out->surrogate[out->surrogates]) = curve;
+    out->unsolved += curve.unsolved;
+    out->transforms += convolutions * solver->points;
+    out->surrogates += index > 0 && problem.code == STATUS_OK;
+    if (problem.code == STATUS_OK ||
+        (index > 0 && problem.code == STATUS_MODEL && index - out->surrogates < solver->surrogates))
+        return STATUS_OK;
+    return status_fail(status, problem.code, "%s", problem.message);
+}
+
+enum status_code strip_solve(struct strip *out, const struct strip_rows *rows, size_t surrogates,
+                             const struct threads *threads, struct status *status)
+{
+    const bool rough = surrogates == STRIP_ROUGHLY;
+    struct solver solver = {
+        .out = out, .rows = rows, .surrogates = rough ? 1 : surrogates, .rough = rough, .stop = threads->stop};
+    *out = (struct strip){.smoothing = rows->smoothing};
+    double *own_m = strip_join(&solver.points, rows);
+    double *strip_m = own_m ? reallocarray(own_m, 1 + solver.surrogates, (solver.points + 1) * sizeof *own_m) : NULL;
+    solver.strip_m = strip_m ? strip_m : own_m;
+    if (!strip_m)
+        (void)status_memory(status);
+    else if (phases_of(&solver.phases, strip_m, row_length(rows), rows->rows, status) == STATUS_OK)
+        draw_surrogates(strip_m + solver.points, solver.points, &solver, status);
+    if (status->code == STATUS_OK)
+        (void)!threads_run(threads, 1 + solver.surrogates, solve_task, &solver, status);
+    phases_free(&solver.phases);
     free(solver.strip_m);
     return status->code;
 }

@@ -5,8 +5,8 @@
 #ifndef CONTACT_STRIP_H
 #define CONTACT_STRIP_H
 
+#include "base/threads.h"
 #include "contact/corrected_persson.h"
-#include <stdatomic.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -59,9 +59,9 @@ struct strip {
  * from the row's seed, so that it keeps its phases whatever other rows there are;
  * every second one is the one before turned over. Loads and surrogates that do not converge are left out. Errors:
  * STATUS_MODEL: flat rows, or not one load under which enough points touch and the solution converges;
- * STATUS_INTERRUPTED when *stop (NULL: never) becomes non-zero; STATUS_MEMORY. */
+ * STATUS_INTERRUPTED; STATUS_MEMORY. The same from any number of threads. */
 MUST_CHECK enum status_code strip_solve(struct strip *out, const struct strip_rows *rows, size_t surrogates,
-                                        const atomic_bool *stop, struct status *status);
+                                        const struct threads *threads, struct status *status);
 
 /** Pairs of transforms times points that strip_solve() takes with STRIP_SURROGATES, about. */
 uint64_t strip_cost(const struct strip_rows *rows);

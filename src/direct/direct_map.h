@@ -25,8 +25,9 @@ struct direct_map_lines direct_map_lines(size_t nx, size_t ny, bool columns);
  * its rows, and over its columns, the mean square second difference across the join of their ends is at most 3 times
  * that inside: record_window_is_periodic() asks the same of one record. Where more than 2 % of their mean square slope
  * is shorter than 6 spacings, or nothing tells, a Gaussian low-pass of ISO 16610-61 with that cut-off takes it out;
- * beyond its edges a map goes on as its mirror image. Error: STATUS_MEMORY. */
-MUST_CHECK enum status_code direct_map_condition(double *height_m, struct direct_map_def *def, struct status *status);
+ * beyond its edges a map goes on as its mirror image. `as_measured`: none does. Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code direct_map_condition(double *height_m, struct direct_map_def *def, bool as_measured,
+                                                 struct status *status);
 
 enum { DIRECT_MAP_FACTOR = 5 }; /* the largest prime factor of the side of a square: fft_quick() */
 

@@ -156,9 +156,9 @@ enum status_code strips_pair(struct strips *strips, struct ensemble *set, const 
     return STATUS_OK;
 }
 
-/** A strip of these rows, malloc'ed; NULL where it has no answer. */
+/** A strip of these rows, malloc'ed; NULL where it has no answer. What the strips count is in the order of turns. */
 static enum status_code solve(struct solved_strip **out, struct strips *strips, size_t first, size_t count,
-                              const atomic_bool *stop, struct status *status)
+                              const struct threads *threads, struct threads_turn *turn, struct status *status)
 {
     struct status problem = {0};
     struct solved_strip *solved = calloc(1, sizeof *solved);
@@ -168,12 +168,16 @@ static enum status_code solve(struct solved_strip **out, struct strips *strips, 
     solved->rows.height_m += first * strips->rows.points;
     solved->rows.seed += first;
     solved->rows.rows = count;
-    enum status_code rc =
-        strip_solve(&solved->strip, &solved->rows, strips->roughly ? STRIP_ROUGHLY : STRIP_SURROGATES, stop, &problem);
-    strips->transforms += solved->strip.transforms;
-    strips->unsolved += solved->strip.unsolved;
+    enum status_code rc = strip_solve(&solved->strip, &solved->rows, strips->roughly ? STRIP_ROUGHLY : STRIP_SURROGATES,
+                                      threads, &problem);
     if (rc == STATUS_OK)
         rc = bearing_make(&solved->bearing, &solved->rows, &problem);
+    if (!threads_wait(turn)) {
+        solved_strip_free(solved);
+        return STATUS_OK;
+    }
+    strips->transforms += solved->strip.transforms;
+    strips->unsolved += solved->strip.unsolved;
     if (rc == STATUS_OK) {
         *out = solved;
         return STATUS_OK;
@@ -184,20 +188,31 @@ static enum status_code solve(struct solved_strip **out, struct strips *strips, 
     return rc == STATUS_MODEL ? STATUS_OK : status_fail(status, rc, "%s", problem.message);
 }
 
-enum status_code strips_solve(struct strips *strips, const atomic_bool *stop, struct status *status)
+enum status_code strips_solve(struct strips *strips, const struct threads *threads, struct status *status)
 {
-    return solve(&strips->joined, strips, 0, strips->rows.rows, stop, status);
+    return solve(&strips->joined, strips, 0, strips->rows.rows, threads, NULL, status);
 }
 
-enum status_code strips_solve_members(struct strips *strips, struct ensemble *set, const atomic_bool *stop,
+/** The members' strips, each of one thread. */
+struct alone {
+    struct strips *strips;
+    struct member *members;
+    struct threads each;
+};
+
+static enum status_code solve_member(void *context, size_t index, struct threads_turn *turn, struct status *status)
+{
+    const struct alone *alone = context;
+    struct member *member = &alone->members[index];
+    return member->pieces == 0
+               ? STATUS_OK
+               : solve(&member->strip, alone->strips, member->first_piece, member->pieces, &alone->each, turn, status);
+}
+
+enum status_code strips_solve_members(struct strips *strips, struct ensemble *set, const struct threads *threads,
                                       struct status *status)
 {
+    struct alone alone = {strips, set->members, {1, threads->stop}};
     set->solved_alone = true;
-    for (size_t p = 0; p < set->count; p++) {
-        struct member *member = &set->members[p];
-        if (member->pieces > 0 &&
-            solve(&member->strip, strips, member->first_piece, member->pieces, stop, status) != STATUS_OK)
-            return status->code;
-    }
-    return STATUS_OK;
+    return threads_run(threads, set->count, solve_member, &alone, status);
 }

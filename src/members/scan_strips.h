@@ -44,8 +44,8 @@ MUST_CHECK enum status_code strips_pair(struct strips *strips, struct ensemble *
 
 /** Solves all rows joined. Where they have no answer there is none, and `problem` says why. Errors: STATUS_INTERRUPTED,
  * STATUS_MEMORY. */
-MUST_CHECK enum status_code strips_solve(struct strips *strips, const atomic_bool *stop, struct status *status);
+MUST_CHECK enum status_code strips_solve(struct strips *strips, const struct threads *threads, struct status *status);
 /** Solves the rows of each member alone; a member whose rows have no answer has none. Errors as strips_solve(). */
-MUST_CHECK enum status_code strips_solve_members(struct strips *strips, struct ensemble *set, const atomic_bool *stop,
-                                                 struct status *status);
+MUST_CHECK enum status_code strips_solve_members(struct strips *strips, struct ensemble *set,
+                                                 const struct threads *threads, struct status *status);
 #endif

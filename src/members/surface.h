@@ -142,7 +142,7 @@ struct surface_task {
     const struct plan *plan;
     const double *loads; /* P/(A_n E') of its own bodies */
     size_t load_count;
-    const atomic_bool *stop; /* becomes true when the work is to end early; NULL: never */
+    struct threads threads; /* of this surface alone; answers do not depend on how many */
 };
 
 /** What the models are asked of a described surface. */

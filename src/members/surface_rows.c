@@ -166,13 +166,13 @@ enum { LEAST_POINTS = 11 };
 
 /** Takes out of a map what neither a row nor a direct solution can hold: both are of the heights that are left. */
 static enum status_code condition_map(struct areal_parameters of[2], struct direct_map_def *map, struct scan *scan,
-                                      struct status *status)
+                                      const struct scene *scene, struct status *status)
 {
     struct status none = {0}; /* a map without a plane has none of them, and no usable row */
     size_t side = scan->nx < scan->ny ? scan->nx : scan->ny;
     *map = (struct direct_map_def){.nx = scan->nx, .ny = scan->ny, .dx_m = scan->dx_m, .dy_m = scan->dy_m};
     (void)!areal_parameters_of(&of[0], scan, &none);
-    if (direct_map_condition(scan->z_m, map, status) != STATUS_OK)
+    if (direct_map_condition(scan->z_m, map, scene->lambda_s_given && !(scene->lambda_s_m > 0), status) != STATUS_OK)
         return status->code;
     of[1] = of[0];
     if (map->cutoff > 0)
@@ -280,7 +280,7 @@ enum status_code surface_rows_add(const struct surface_scans *task, struct scan 
     double sq_m2 = NAN;
     struct areal_parameters of[2] = {{0}}; /* a map, as measured and after the low-pass */
     struct status first = {0};
-    if ((areal && condition_map(of, &map, scan, status) != STATUS_OK) ||
+    if ((areal && condition_map(of, &map, scan, scene, status) != STATUS_OK) ||
         repeats_add_scan(set, scene_file, status) != STATUS_OK)
         return status->code;
     double cutoff_m = fmax(summary->cutoff_m, map.cutoff * map.dx_m);

@@ -170,19 +170,18 @@ struct ladder {
     double load[TRANSFER_LOADS];
     size_t loads;
     double hardness;
-    uint64_t *transforms; /* counts them */
     const atomic_bool *stop;
 };
 
 static enum status_code solve_load(struct transfer_point *out, struct direct_contact *contact, double load,
-                                   const struct ladder *ladder, struct status *status)
+                                   const struct ladder *ladder, uint64_t *transforms, struct status *status)
 {
     const struct direct_ladder_def one = {&load, 1, ladder->hardness, tolerance, true, ladder->stop};
     struct direct_point point;
     *out = (struct transfer_point){load, NAN, NAN, NAN};
     if (direct_ladder_run(&point, contact, &one, status) != STATUS_OK)
         return status->code;
-    *ladder->transforms += point.convolutions * contact->kernel.points;
+    *transforms += point.convolutions * contact->kernel.points;
     if (point.exists && point.quantities.contact_points >= LEAST_POINTS)
         *out = (struct transfer_point){load, point.quantities.area_ratio, point.quantities.gap_m, point.constriction_m};
     return STATUS_OK;
@@ -204,9 +203,10 @@ static size_t coarsest(const struct transfer_point *point, size_t loads)
     return at;
 }
 
-/** Solves a map at the loads of the ladder, to which it adds some if `refine`; what tells nothing becomes NaN. */
+/** Solves a map at the loads of the ladder, to which it adds some if `refine`; what tells nothing becomes NaN. Counts
+ * transforms. */
 static enum status_code solve(struct transfer_point *out, const struct direct_map *map, struct ladder *ladder,
-                              bool refine, struct status *status)
+                              bool refine, uint64_t *transforms, struct status *status)
 {
     struct direct_contact contact;
     size_t at;
@@ -215,7 +215,8 @@ static enum status_code solve(struct transfer_point *out, const struct direct_ma
     if (direct_contact_make(&contact, map->height_m, &map->grid, status) != STATUS_OK)
         return status->code;
     for (size_t i = 0; i < ladder->loads && status->code == STATUS_OK; i++)
-        if (solve_load(&out[i], &contact, ladder->load[i], ladder, status) != STATUS_OK || out[i].area_ratio > enough)
+        if (solve_load(&out[i], &contact, ladder->load[i], ladder, transforms, status) != STATUS_OK ||
+            out[i].area_ratio > enough)
             break;
     while (refine && status->code == STATUS_OK && ladder->loads < TRANSFER_LOADS &&
            (at = coarsest(out, ladder->loads)) > 0) {
@@ -223,7 +224,7 @@ static enum status_code solve(struct transfer_point *out, const struct direct_ma
         memmove(out + at + 1, out + at, (ladder->loads - at) * sizeof *out);
         memmove(ladder->load + at + 1, ladder->load + at, (ladder->loads++ - at) * sizeof *ladder->load);
         ladder->load[at] = load;
-        (void)solve_load(&out[at], &contact, load, ladder, status);
+        (void)solve_load(&out[at], &contact, load, ladder, transforms, status);
     }
     direct_contact_free(&contact);
     return status->code;
@@ -246,51 +247,73 @@ static double scatter(const double *value, size_t count)
     return sqrt(square / (double)(count - 1));
 }
 
+enum { KINDS = 2 /* elastic, and below the hardness */ };
+
+/** Every solution that the tiles take, on several threads. */
+struct work {
+    struct tiles *tiles;
+    size_t count, kinds; /* of squares; solved */
+    struct direct_map first;
+    struct transfer_square *square;
+    struct ladder ladder[KINDS]; /* that of a kind is known when the first square's is */
+    struct transfer_point part[KINDS][DIRECT_MAP_PARTS][TRANSFER_LOADS];
+    pthread_mutex_t lock; /* of these and of the count of transforms */
+    pthread_cond_t learned;
+    enum { UNKNOWN, KNOWN, LOST } is[KINDS];
+};
+
+/** The loads that errors are told at, of a kind's ladder: neither end, where little touches, or all. */
+static struct ladder told_at(size_t only[TRANSFER_ERRORS], const struct ladder *whole)
+{
+    struct ladder out = *whole;
+    out.loads = whole->loads < TRANSFER_ERRORS ? whole->loads : TRANSFER_ERRORS;
+    for (size_t k = 0; k < out.loads; k++) {
+        only[k] = whole->loads * (k + 1) / (out.loads + 1);
+        out.load[k] = whole->load[only[k]];
+    }
+    return out;
+}
+
+/** The scatter of fewer squares than four is that of the quarters of the first. */
+static bool quartered(const struct work *work)
+{
+    return work->count < 4; /* a periodic map too: it is one of many of its surface */
+}
+
+static struct transfer_point *points_of(const struct work *work, int kind, size_t s)
+{
+    return kind == 0 ? work->square[s].elastic : work->square[s].capped;
+}
+
 /** The errors of one kind: root of the sum of squares of what every second point changes, what a wider low-pass
  * changes, and the scatter over the squares, or over the quarters of the first where they are fewer than four. The
  * scatter of the four quarters is not divided by two: waves as long as the map make whole maps differ as much as their
  * quarters. */
-static enum status_code find_errors(struct transfer_errors *out, const struct direct_map *map,
-                                    struct transfer_point *const *square, size_t count, const struct ladder *whole,
-                                    struct status *status)
+static void find_errors(struct transfer_errors *out, struct work *work, int kind)
 {
-    struct transfer_point part[DIRECT_MAP_PARTS][TRANSFER_LOADS] = {0};
-    struct ladder ladder = *whole;
+    struct transfer_point(*part)[TRANSFER_LOADS] = work->part[kind];
     size_t only[TRANSFER_ERRORS];
-    bool quartered = count < 4; /* a periodic map too: it is one of many of its surface */
-    ladder.loads = whole->loads < TRANSFER_ERRORS ? whole->loads : TRANSFER_ERRORS;
-    for (size_t k = 0; k < ladder.loads; k++) {
-        only[k] = whole->loads * (k + 1) / (ladder.loads + 1); /* neither end: little touches, or all */
-        ladder.load[k] = whole->load[only[k]];
-        part[DIRECT_MAP_WHOLE][k] = square[0][only[k]];
-    }
-    for (int p = DIRECT_MAP_SECOND; p < DIRECT_MAP_PARTS; p++) {
-        struct direct_map taken;
-        if (p >= DIRECT_MAP_QUARTER ? !quartered : !direct_map_has(map, (enum direct_map_part)p))
-            continue;
-        if (direct_map_take(&taken, map, (enum direct_map_part)p, status) != STATUS_OK)
-            return status->code;
-        (void)solve(part[p], &taken, &ladder, false, status);
-        direct_map_free(&taken);
-        if (status->code != STATUS_OK)
-            return status->code;
-    }
+    const struct ladder ladder = told_at(only, &work->ladder[kind]);
     for (size_t k = 0; k < ladder.loads; k++) {
         out->ln_load[k] = log(ladder.load[k]);
+        part[DIRECT_MAP_WHOLE][k] = points_of(work, kind, 0)[only[k]];
         for (int q = 0; q < 3; q++) {
             double of[DIRECT_MAP_PARTS], over[TILES_MOST];
             for (int p = 0; p < DIRECT_MAP_PARTS; p++)
                 of[p] = ln_of(&part[p][k], q);
-            for (size_t s = 0; s < count; s++)
-                over[s] = ln_of(&square[s][only[k]], q);
+            for (size_t s = 0; s < work->count; s++)
+                over[s] = ln_of(&points_of(work, kind, s)[only[k]], q);
             double error = of[DIRECT_MAP_WHOLE] - of[DIRECT_MAP_SECOND];
-            if (direct_map_has(map, DIRECT_MAP_WIDER))
-                error = hypot(error, of[DIRECT_MAP_WIDER] - of[DIRECT_MAP_SECOND]);
-            out->value[k][q] = hypot(error, quartered ? scatter(of + DIRECT_MAP_QUARTER, 4) : scatter(over, count));
+            double wider =
+                direct_map_has(&work->first, DIRECT_MAP_WIDER) ? of[DIRECT_MAP_WIDER] - of[DIRECT_MAP_SECOND] : 0;
+            error = direct_map_has(&work->first, DIRECT_MAP_WIDER) ? hypot(error, wider) : error;
+            if (k == ladder.loads / 2)
+                work->tiles->low_pass[q] = wider;
+            out->value[k][q] =
+                hypot(error, quartered(work) ? scatter(of + DIRECT_MAP_QUARTER, 4) : scatter(over, work->count));
         }
     }
     out->count = ladder.loads;
-    return STATUS_OK;
 }
 
 /** Where square s of them begins: evenly spread over the map. */
@@ -315,71 +338,136 @@ static enum status_code take_bearing(double out[TRANSFER_BEARING], const struct 
     return STATUS_OK;
 }
 
-/** Solves the squares, one after another. */
-static enum status_code solve_squares(struct tiles *tiles, struct transfer_square *square, size_t count,
-                                      struct ladder ladder[2], struct direct_map *first, struct status *status)
+static enum status_code make_square(struct direct_map *out, const struct tiles *tiles, size_t s, struct status *status)
 {
-    double gradient = 0;
-    for (size_t s = 0; s < count && status->code == STATUS_OK; s++) {
-        struct direct_map map = {0}, *own = s == 0 ? first : &map;
-        if (direct_map_make(own, tiles->height_m + first_of(tiles, s), &tiles->def, tiles->side, status) != STATUS_OK)
-            break;
-        const struct scan all = {
-            .nx = own->grid.nx, .ny = own->grid.ny, .dx_m = own->grid.spacing_m, .z_m = own->height_m};
-        if (spectrum_of(&square[s].spectrum, &all, own->grid.mirrored, status) != STATUS_OK) {
-            direct_map_free(&map);
-            break;
-        }
-        if (s == 0) {
-            gradient = sqrt(2 * spectrum_moment(&square[s].spectrum, 1));
-            for (size_t k = 0; k < TRANSFER_LADDER; k++)
-                ladder[0].load[k] = transfer_ladder[k] * gradient;
-            ladder[0].loads = TRANSFER_LADDER;
-            ladder[1].loads = transfer_capped_loads(ladder[1].load, gradient, ladder[1].hardness);
-        }
-        if (solve(square[s].elastic, own, &ladder[0], s == 0, status) == STATUS_OK)
-            (void)solve(square[s].capped, own, &ladder[1], s == 0, status);
-        square[s].elastic_count = ladder[0].loads;
-        square[s].capped_count = ladder[1].loads;
-        if (status->code == STATUS_OK)
-            (void)take_bearing(square[s].bearing, own, status);
-        direct_map_free(&map);
+    return direct_map_make(out, tiles->height_m + first_of(tiles, s), &tiles->def, tiles->side, status);
+}
+
+/** What of a square need not be solved. */
+static enum status_code describe(struct transfer_square *out, const struct direct_map *map, struct status *status)
+{
+    const struct scan all = {.nx = map->grid.nx, .ny = map->grid.ny, .dx_m = map->grid.spacing_m, .z_m = map->height_m};
+    return spectrum_of(&out->spectrum, &all, map->grid.mirrored, status) == STATUS_OK
+               ? take_bearing(out->bearing, map, status)
+               : status->code;
+}
+
+/** One of the other squares. */
+static enum status_code solve_square(struct work *work, int kind, size_t s, uint64_t *transforms, struct status *status)
+{
+    struct direct_map map;
+    if (make_square(&map, work->tiles, s, status) != STATUS_OK)
+        return status->code;
+    enum status_code rc = kind == 0 ? describe(&work->square[s], &map, status) : STATUS_OK;
+    if (rc == STATUS_OK)
+        rc = solve(points_of(work, kind, s), &map, &work->ladder[kind], false, transforms, status);
+    direct_map_free(&map);
+    return rc;
+}
+
+/** A part of the first square, if it tells of its error. */
+static enum status_code solve_part(struct work *work, int kind, enum direct_map_part p, uint64_t *transforms,
+                                   struct status *status)
+{
+    struct direct_map map;
+    size_t only[TRANSFER_ERRORS];
+    struct ladder ladder = told_at(only, &work->ladder[kind]);
+    if (p >= DIRECT_MAP_QUARTER ? !quartered(work) : !direct_map_has(&work->first, p))
+        return STATUS_OK;
+    if (direct_map_take(&map, &work->first, p, status) != STATUS_OK)
+        return status->code;
+    (void)solve(work->part[kind][p], &map, &ladder, false, transforms, status);
+    direct_map_free(&map);
+    return status->code;
+}
+
+/** Waits for a kind's ladder; false: it has none. */
+static bool learn(struct work *work, int kind)
+{
+    pthread_mutex_lock(&work->lock);
+    while (work->is[kind] == UNKNOWN)
+        pthread_cond_wait(&work->learned, &work->lock);
+    bool known = work->is[kind] == KNOWN;
+    pthread_mutex_unlock(&work->lock);
+    return known;
+}
+
+/** The first square below the hardness and elastic; then, in this order, the others and the parts of the first. */
+static enum status_code solve_task(void *context, size_t index, struct threads_turn *turn, struct status *status)
+{
+    struct work *work = context;
+    const size_t others = work->count - 1 + DIRECT_MAP_PARTS - DIRECT_MAP_SECOND;
+    const bool leads = index < work->kinds;
+    const int kind = (int)(work->kinds - 1 - (leads ? index : (index - work->kinds) / others));
+    const size_t s = leads ? 0 : 1 + (index - work->kinds) % others;
+    uint64_t transforms = 0;
+    (void)turn;
+    if (leads)
+        (void)solve(points_of(work, kind, 0), &work->first, &work->ladder[kind], true, &transforms, status);
+    else if (learn(work, kind))
+        (void)(s < work->count ? solve_square(work, kind, s, &transforms, status)
+                               : solve_part(work, kind, (enum direct_map_part)(DIRECT_MAP_SECOND + s - work->count),
+                                            &transforms, status));
+    pthread_mutex_lock(&work->lock);
+    if (leads)
+        work->is[kind] = status->code == STATUS_OK ? KNOWN : LOST;
+    pthread_cond_broadcast(&work->learned);
+    work->tiles->transforms += transforms;
+    pthread_mutex_unlock(&work->lock);
+    return status->code;
+}
+
+/** Solves all. */
+static enum status_code solve_all(struct work *work, const struct threads *threads, struct status *status)
+{
+    struct ladder *ladder = work->ladder;
+    if (make_square(&work->first, work->tiles, 0, status) != STATUS_OK ||
+        describe(&work->square[0], &work->first, status) != STATUS_OK)
+        return status->code;
+    const double gradient = sqrt(2 * spectrum_moment(&work->square[0].spectrum, 1));
+    for (size_t k = 0; k < TRANSFER_LADDER; k++)
+        ladder[0].load[k] = transfer_ladder[k] * gradient;
+    ladder[0].loads = TRANSFER_LADDER;
+    ladder[1].loads = transfer_capped_loads(ladder[1].load, gradient, ladder[1].hardness);
+    work->kinds = ladder[1].loads > 0 ? 2 : 1;
+    (void)!threads_run(threads, work->kinds * (work->count + DIRECT_MAP_PARTS - DIRECT_MAP_SECOND), solve_task, work,
+                       status);
+    for (size_t s = 0; s < work->count; s++) {
+        work->square[s].elastic_count = ladder[0].loads;
+        work->square[s].capped_count = ladder[1].loads;
     }
     return status->code;
 }
 
-static enum status_code run(struct tiles *tiles, double hardness, const atomic_bool *stop, struct status *status)
+static enum status_code run(struct tiles *tiles, double hardness, const struct threads *threads, struct status *status)
 {
-    size_t count = tiles->columns * tiles->rows;
-    struct transfer_square *square = calloc(count, sizeof *square);
+    struct work work = {
+        .tiles = tiles,
+        .count = tiles->columns * tiles->rows,
+        .ladder = {{.hardness = INFINITY, .stop = threads->stop}, {.hardness = hardness, .stop = threads->stop}},
+        .lock = PTHREAD_MUTEX_INITIALIZER,
+        .learned = PTHREAD_COND_INITIALIZER};
     struct transfer *transfer = tiles->transfer = calloc(1, sizeof *transfer);
-    struct ladder ladder[2] = {{.hardness = INFINITY, .transforms = &tiles->transforms, .stop = stop},
-                               {.hardness = hardness, .transforms = &tiles->transforms, .stop = stop}};
-    struct direct_map first = {0};
-    enum status_code rc = square && transfer ? STATUS_OK : status_memory(status);
+    work.square = calloc(work.count, sizeof *work.square);
+    enum status_code rc = work.square && transfer ? solve_all(&work, threads, status) : status_memory(status);
     if (rc == STATUS_OK)
-        rc = solve_squares(tiles, square, count, ladder, &first, status);
+        rc = spectrum_of_all(&transfer->spectrum, tiles, work.square, status);
     if (rc == STATUS_OK)
-        rc = spectrum_of_all(&transfer->spectrum, tiles, square, status);
-    if (rc == STATUS_OK)
-        rc = transfer_make(transfer, square, count, hardness, status);
-    for (int kind = 0; kind < 2 && rc == STATUS_OK; kind++) {
-        struct transfer_point *points[TILES_MOST];
-        for (size_t s = 0; s < count; s++)
-            points[s] = kind == 0 ? square[s].elastic : square[s].capped;
-        if (ladder[kind].loads > 0)
-            rc = find_errors(&transfer->error[kind], &first, points, count, &ladder[kind], status);
-    }
-    for (size_t s = 0; square && s < count; s++)
-        spectrum_free(&square[s].spectrum);
-    direct_map_free(&first);
-    free(square);
+        rc = transfer_make(transfer, work.square, work.count, hardness, status);
+    for (int kind = 0; kind < (int)work.kinds && rc == STATUS_OK; kind++)
+        find_errors(&transfer->error[kind], &work, kind);
+    for (size_t s = 0; work.square && s < work.count; s++)
+        spectrum_free(&work.square[s].spectrum);
+    direct_map_free(&work.first);
+    free(work.square);
+    pthread_mutex_destroy(&work.lock);
+    pthread_cond_destroy(&work.learned);
     return rc;
 }
 
-enum status_code tiles_solve(struct tiles *tiles, double hardness, const atomic_bool *stop, struct status *status)
+enum status_code tiles_solve(struct tiles *tiles, double hardness, const struct threads *threads, struct status *status)
 {
-    enum status_code rc = run(tiles, hardness, stop, &tiles->problem);
+    enum status_code rc = run(tiles, hardness, threads, &tiles->problem);
     if (rc != STATUS_OK && tiles->transfer) {
         transfer_free(tiles->transfer);
         free(tiles->transfer);

@@ -3,10 +3,10 @@
 #ifndef MEMBERS_TILES_H
 #define MEMBERS_TILES_H
 
+#include "base/threads.h"
 #include "contact/transfer.h"
 #include "direct/direct_map.h"
 #include "scan/scan.h"
-#include <stdatomic.h>
 
 enum { TILES_SIDE = 512, TILES_MOST = 4 };
 
@@ -17,6 +17,8 @@ struct tiles {
     size_t side, columns, rows; /* squares of the map that are solved */
     size_t all;                 /* squares that it holds */
     struct transfer *transfer;  /* NULL: not solved */
+    double low_pass[3];         /* ln of area, gap and constriction length that the low-pass has changed, about, at a
+                                   middle load; 0: none */
     struct status problem;      /* why it is not */
     uint64_t transforms;        /* pairs of transforms times points that solving took */
 };
@@ -39,8 +41,8 @@ extern const double tiles_budget;
 bool tiles_fit(struct tiles *tiles, bool capped, double most);
 
 /** Solves the squares, elastic and below the hardness h = H/E' (INFINITY: elastic alone), and what tells their error. A
- * map that has no answer has none. Errors: STATUS_INTERRUPTED, STATUS_MEMORY. */
-MUST_CHECK enum status_code tiles_solve(struct tiles *tiles, double hardness, const atomic_bool *stop,
+ * map that has no answer has none. The same from any number of threads. Errors: STATUS_INTERRUPTED, STATUS_MEMORY. */
+MUST_CHECK enum status_code tiles_solve(struct tiles *tiles, double hardness, const struct threads *threads,
                                         struct status *status);
 
 #endif

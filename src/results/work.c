@@ -86,6 +86,7 @@ double work_seconds(const struct results *results, size_t threads)
 {
     const struct plan *plan = results->plan;
     double sum = 0, longest = 0, direct = 0;
+    const double busy = threads >= 2 * results->surface_count ? 2 : 1; /* threads, by what a surface is solved by */
     size_t models = 0;
     for (size_t m = 0; m < model_count; m++)
         models += plan_runs_model(plan, m);
@@ -103,7 +104,7 @@ double work_seconds(const struct results *results, size_t threads)
         if (plan_runs(plan, EFFECT_DIRECT) && results_solves(results, i))
             direct += summary->direct->seconds;
         sum += one;
-        longest = fmax(longest, one); /* what a surface is solved by is one after the other */
+        longest = fmax(longest, one - transforms * costs.transform_s * (1 - 1 / busy));
     }
     return costs.report_s + fmax(sum / (double)threads, longest) + direct / (double)threads;
 }

@@ -110,11 +110,18 @@ struct pass {
     struct all_surfaces_stage stage;
 };
 
+/** Threads that each of so many surfaces has, where as many as there can be are under way. */
+static unsigned share_of(const struct threads *threads, size_t surfaces)
+{
+    return (unsigned)(threads_number(threads, SIZE_MAX) / threads_number(threads, surfaces));
+}
+
 static struct surface_task task_of(const struct pass *all, size_t index)
 {
     struct surface_task out = results_task(&all->prepared->results, index);
     out.plan = all->plan;
-    out.stop = all->stage.options->stop;
+    out.threads = all->prepared->results.threads;
+    out.threads.jobs = share_of(&out.threads, all->prepared->results.surface_count);
     return out;
 }
 

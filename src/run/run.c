@@ -141,8 +141,7 @@ static enum status_code run_direct(struct run *run, struct status *status)
         const struct direct_study_task task = {
             .surface = record,
             .index = i,
-            .asked = {.scene = results->scene, .plan = results->plan, .stop = run->options->stop},
-            .threads = run->options->jobs,
+            .asked = {.scene = results->scene, .plan = results->plan, .threads = results->threads},
             .progress = add_progress,
             .progress_context = &stage};
         struct direct_study *study = &run->direct[results->direct_count];

@@ -170,6 +170,7 @@ struct scene {
     bool level_given;    /* else of a periodic record the mean is taken out */
     double max_missing;  /* share of a profile's points that may be missing */
     double lambda_s_m;   /* cut-off of the Gaussian low-pass; 0: none */
+    bool lambda_s_given; /* with 0: a map is solved as measured */
     double lambda_c_m;   /* cut-off of the Gaussian high-pass; 0: none */
     double tip_radius_m; /* of the stylus; 0: not known */
     enum spectrum_window window;

@@ -439,8 +439,11 @@ const struct scene_key scene_keys[] = {
      read_export, .at = AT(exports)},
     {"max_missing", "share of missing points that may be bridged; default: 10 %",
      SCENE_QUANTITY(AT(max_missing), UNIT_NUMBER | UNIT_PERCENT, 0.0, 0.9)},
-    {"lambda_s", "cut-off of the Gaussian low-pass by ISO 16610-21; default: none",
-     SCENE_QUANTITY(AT(lambda_s_m), UNIT_DISTANCE, 1e-12, 1e3), .word = "none", .alias = "lambda_s_m"},
+    {"lambda_s",
+     "cut-off of the Gaussian low-pass by ISO 16610-21; none, given, takes maps as measured; default: none, and of a "
+     "noisy map 6 spacings",
+     SCENE_QUANTITY(AT(lambda_s_m), UNIT_DISTANCE, 1e-12, 1e3), .word = "none", .alias = "lambda_s_m",
+     .given = AT(lambda_s_given)},
     {"lambda_c", "cut-off of the Gaussian high-pass by ISO 16610-21; default: none",
      SCENE_QUANTITY(AT(lambda_c_m), UNIT_DISTANCE, 1e-12, 1e3), .word = "none", .alias = "lambda_c_m",
      .above = "lambda_s"},

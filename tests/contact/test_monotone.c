@@ -124,7 +124,7 @@ static bool make(struct made *out, size_t number)
     }
     double slope = sqrt(2 * spectrum_moment(&out->spectrum, 1));
     size_t surrogates = 1 + number % 2;
-    if (!(slope > 0) || strip_solve(&out->strip, &out->rows, surrogates, NULL, &status) != STATUS_OK ||
+    if (!(slope > 0) || strip_solve(&out->strip, &out->rows, surrogates, &test_alone, &status) != STATUS_OK ||
         bearing_make(&out->bearing, &out->rows, &status) != STATUS_OK) {
         spectrum_free(&out->spectrum);
         return false;

@@ -24,7 +24,7 @@ static double *gaussian_rows(size_t rows, uint64_t seed)
 static struct strip solved(const struct strip_rows *rows, size_t surrogates)
 {
     struct strip strip;
-    expect_ok(strip_solve, &strip, rows, surrogates, NULL);
+    expect_ok(strip_solve, &strip, rows, surrogates, &test_alone);
     return strip;
 }
 
@@ -215,7 +215,7 @@ TEST_CASE(nothing_to_solve)
     double height[POINTS] = {0};
     struct strip_rows rows = {height, 1, POINTS, 1e-6, false, NULL, 0};
     struct strip strip;
-    expect_fails(STATUS_MODEL, "", strip_solve, &strip, &rows, 1, NULL);
+    expect_fails(STATUS_MODEL, "", strip_solve, &strip, &rows, 1, &test_alone);
 }
 
 enum { SIDE = 128, TRUTHS = 4, LINES = 5 };

@@ -33,7 +33,7 @@ TEST_CASE(mirrored_or_whole)
         height[k] = 7 + even_wave(k % N) + sin(2 * M_PI * (double)(k / N) / N);
     for (int odd = 0; odd < 2; odd++) { /* part of it is not periodic; of an odd one every second point would not be */
         struct direct_map_def def = {N - (size_t)odd, N, 1, 1, false, 0};
-        expect_ok(direct_map_condition, height, &def);
+        expect_ok(direct_map_condition, height, &def, false);
         assert_true(def.periodic == !odd && def.cutoff == 0);
         assert_true(direct_map_mirrored(&def, N / 2));
         assert_true(direct_map_mirrored(&(struct direct_map_def){31, 31, 1, 1, true, 0}, N));
@@ -46,7 +46,8 @@ TEST_CASE(mirrored_or_whole)
 }
 
 /** Waves along and across lose as much as the filter's transmission says, whatever it is mirrored or closed at, and
- * only where something is to be taken out; missing points stay missing and move nothing beside them. */
+ * only where something is to be taken out, and not of a map taken as measured; missing points stay missing and move
+ * nothing beside them. */
 TEST_CASE(low_pass)
 {
     enum { NX = 64, NY = 48 };
@@ -57,7 +58,12 @@ TEST_CASE(low_pass)
             height[k] = 3 + even_wave(k % NX) * even_wave(k / NX) + (noisy ? 0.1 : 0) * ((k + k / NX) % 2 ? 1 : -1);
         for (size_t k = 5; k < NX * NY && noisy == 2; k += 97)
             height[k] = NAN;
-        expect_ok(direct_map_condition, height, &def);
+        double measured[NX * NY];
+        memcpy(measured, height, sizeof height);
+        expect_ok(direct_map_condition, measured, &def, true);
+        assert_true(def.cutoff == 0 && def.periodic == (noisy < 2));
+        assert_memory_equal(measured, height, sizeof height);
+        expect_ok(direct_map_condition, height, &def, false);
         assert_true(def.cutoff == (noisy ? 6 : 0));
         assert_true(def.periodic == (noisy < 2)); /* lines with holes do not tell */
         for (size_t k = 0; k < NX * NY; k++)
@@ -71,7 +77,7 @@ TEST_CASE(low_pass)
         height[k] =
             cos(M_PI * ((double)(k % NX) + 0.5) / NX) + 0.1 * cos(M_PI * (NX - 1) * ((double)(k % NX) + 0.5) / NX);
     struct direct_map_def def = {NX, NY, 2, 2, false, 0};
-    expect_ok(direct_map_condition, height, &def);
+    expect_ok(direct_map_condition, height, &def, false);
     assert_true(def.cutoff == 6 && !def.periodic);
     for (size_t k = 0; k < NX * NY; k++)
         assert_within(height[k], exp2(-36.0 / (4.0 * NX * NX)) * cos(M_PI * ((double)(k % NX) + 0.5) / NX), 0.03);
@@ -210,7 +216,7 @@ static void hold(struct held out[3], bool skewed, size_t n, double noisy, uint64
     struct direct_map_def def = {n, n, 1, 1, false, 0};
     struct direct_map map;
     struct direct_ensemble found;
-    if (direct_map_condition(seen, &def, &status) != STATUS_OK ||
+    if (direct_map_condition(seen, &def, false, &status) != STATUS_OK ||
         direct_map_make(&map, seen, &def, n, &status) != STATUS_OK)
         fail_msg("%s", status.message);
     assert_true(def.cutoff == (noisy > 0 ? 6 : 0));

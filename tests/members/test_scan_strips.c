@@ -134,10 +134,10 @@ TEST_CASE(pairs_solve_as_what_they_are)
     }
     struct strips one = strips_of(own_m, 1, POINTS, 1e-6, true), eight = pair(1, flat_m, POINTS, 1e-6, true),
                   rough = pair(2, noise_m, POINTS, 1e-6, true);
-    expect_ok(strips_solve, &one, NULL);
-    expect_ok(strips_solve, &eight, NULL);
-    expect_ok(strips_solve, &rough, NULL);
-    expect_ok(strips_solve_members, &rough, &own_set, NULL);
+    expect_ok(strips_solve, &one, &test_alone);
+    expect_ok(strips_solve, &eight, &test_alone);
+    expect_ok(strips_solve, &rough, &test_alone);
+    expect_ok(strips_solve_members, &rough, &own_set, &test_alone);
     const struct strip_curve *flat = &eight.joined->strip.own, *alike = &one.joined->strip.own;
     for (size_t back = 1; back <= 8; back++)
         for (int q = 0; q < 3; q++)
@@ -154,7 +154,7 @@ TEST_CASE(pairs_solve_as_what_they_are)
         rows.height_m += 4 * p * POINTS;
         rows.seed += 4 * p;
         rows.rows = 4;
-        expect_ok(strip_solve, &alone, &rows, STRIP_SURROGATES, NULL);
+        expect_ok(strip_solve, &alone, &rows, STRIP_SURROGATES, &test_alone);
         assert_non_null(own_members[p].strip);
         assert_memory_equal(&own_members[p].strip->strip, &alone, sizeof alone);
         solved_strip_free(own_members[p].strip);

@@ -185,12 +185,12 @@ FREED(quick_lengths)
         }
 }
 
-static enum status_code solve(const atomic_bool *stop)
+static enum status_code solve(const struct threads *threads)
 {
     struct status status = {0};
-    enum status_code rc = strips_solve(&strips, stop, &status);
+    enum status_code rc = strips_solve(&strips, threads, &status);
     if (rc == STATUS_OK && set.scan_count > 1)
-        rc = strips_solve_members(&strips, &set, stop, &status);
+        rc = strips_solve_members(&strips, &set, threads, &status);
     return rc;
 }
 
@@ -201,19 +201,19 @@ FREED(solved)
     add(0, POINTS, 1e-6);
     add(0, POINTS, 1e-6);
     gather();
-    assert_int_equal(solve(&stop), STATUS_INTERRUPTED);
+    assert_int_equal(solve(&(struct threads){1, &stop}), STATUS_INTERRUPTED);
     assert_null(strips.joined);
     gather();
-    assert_int_equal(solve(NULL), STATUS_OK);
+    assert_int_equal(solve(&test_alone), STATUS_OK);
     assert_non_null(strips.joined);
     struct strip expected;
-    expect_ok(strip_solve, &expected, &strips.rows, STRIP_SURROGATES, NULL);
+    expect_ok(strip_solve, &expected, &strips.rows, STRIP_SURROGATES, &test_alone);
     assert_memory_equal(&strips.joined->strip, &expected, sizeof expected);
     assert_null(set.members[0].strip); /* rows of a map */
     assert_int_equal(strips.transforms, strips.joined->strip.transforms);
     set.members[1].scan = 1;
     expect_ok(repeats_add_scan, &set, "scan");
-    expect_ok(strips_solve_members, &strips, &set, NULL);
+    expect_ok(strips_solve_members, &strips, &set, &test_alone);
     uint64_t alone = 0;
     for (size_t p = 0; p < 2; p++) {
         const struct solved_strip *own = set.members[p].strip;
@@ -230,7 +230,7 @@ FREED(solved)
     ensemble_free(&set);
     memset(add(0, POINTS, 1e-6)->height_m, 0, POINTS * sizeof(double));
     gather();
-    assert_int_equal(solve(NULL), STATUS_OK);
+    assert_int_equal(solve(&test_alone), STATUS_OK);
     assert_null(strips.joined);
     expect_parts(strips.problem.message, "is flat"); /* the note's reason */
 }
@@ -244,7 +244,7 @@ FREED(scans_alone)
     for (size_t p = 0; p < 3; p++)
         add(p, POINTS, 1e-6);
     gather();
-    assert_int_equal(solve(NULL), STATUS_OK);
+    assert_int_equal(solve(&test_alone), STATUS_OK);
     struct model_task task = {.spectrum = &set.members[1].spectrum,
                               .pair = &tin,
                               .loads = &load,
@@ -296,7 +296,7 @@ FREED(a_curve_from_strips)
     for (size_t p = 0; p < 3; p++)
         add(p, POINTS, 1e-6);
     gather();
-    assert_int_equal(solve(NULL), STATUS_OK);
+    assert_int_equal(solve(&test_alone), STATUS_OK);
     struct model_task task = {.spectrum = &set.members[1].spectrum,
                               .pair = &pair,
                               .loads = loads,

@@ -131,7 +131,7 @@ TEST_CASE(a_map_is_its_direct_solution)
         for (size_t h = 0; h < 3; h++) {
             struct tiles tiles = map_of(SIDE, SIDE, 3 + l, looks[l]);
             double rms[2][3], own = hardness[h] * gradient_of(&tiles);
-            expect_ok(tiles_solve, &tiles, own, NULL);
+            expect_ok(tiles_solve, &tiles, own, &test_alone);
             assert_non_null(tiles.transfer);
             compare(rms[0], &tiles, INFINITY);
             compare(rms[1], &tiles, own);
@@ -172,7 +172,7 @@ TEST_CASE(errors_are_of_all_that_tells_them)
         double wider = 0;
         size_t known = 0;
         tiles.def.cutoff = filtered ? 6 : 0;
-        expect_ok(tiles_solve, &tiles, INFINITY, NULL);
+        expect_ok(tiles_solve, &tiles, INFINITY, &test_alone);
         expect_ok(direct_map_make, &map, tiles.height_m, &tiles.def, SIZE_MAX);
         assert_int_equal(direct_map_has(&map, DIRECT_MAP_WIDER), filtered);
         const struct transfer_errors *error = &tiles.transfer->error[0];
@@ -212,7 +212,7 @@ TEST_CASE(a_map_with_a_lay)
         for (size_t k = 0; k < SIDE * SIDE; k++)
             tiles.height_m[k] = 0.1 * tiles.height_m[k] + profile_m[columns ? k / SIDE : k % SIDE];
         gradient = gradient_of(&tiles);
-        expect_ok(tiles_solve, &tiles, INFINITY, NULL);
+        expect_ok(tiles_solve, &tiles, INFINITY, &test_alone);
         assert_near(sqrt(2 * spectrum_moment(&tiles.transfer->spectrum, 1)), gradient, 0.12);
         tiles_free(&tiles);
     }
@@ -228,7 +228,7 @@ static void ask(double value[MAPS][SHARES][ASKED], double s[MAPS][SHARES][ASKED]
     double gradient = 0;
     for (int m = 0; m < MAPS; m++) {
         struct tiles tiles = cut(SIDE, SIDE, 20 + (uint64_t)m, look, n, power);
-        expect_ok(tiles_solve, &tiles, INFINITY, NULL);
+        expect_ok(tiles_solve, &tiles, INFINITY, &test_alone);
         gradient = m > 0 ? gradient : gradient_of(&tiles);
         for (int i = 0; i < SHARES; i++) {
             struct transfer_point point;
@@ -298,12 +298,12 @@ TEST_CASE(squares_of_a_larger_map)
     assert_false(tiles_fit(&tiles, false, 0.2 * all));
     assert_int_equal(tiles.columns, 1);
     tiles.columns = 4;
-    expect_ok(tiles_solve, &tiles, INFINITY, NULL);
+    expect_ok(tiles_solve, &tiles, INFINITY, &test_alone);
     double likely = all / longer;
     assert_true((double)tiles.transforms > likely / 1.3 && (double)tiles.transforms < 1.3 * likely);
     assert_true(tiles.transfer->curve[0].count > 0 && tiles.transfer->curve[1].count == 0);
     struct tiles one = map_of(SIDE, SIDE, 9, worn); /* a corner of it alone says less of it */
-    expect_ok(tiles_solve, &one, INFINITY, NULL);
+    expect_ok(tiles_solve, &one, INFINITY, &test_alone);
     double load = 0.05 * sqrt(2 * spectrum_moment(&tiles.transfer->spectrum, 1));
     rms[0] = transfer_error(tiles.transfer, false, 0, load);
     rms[1] = transfer_error(one.transfer, false, 0, load);
@@ -331,7 +331,7 @@ TEST_CASE(other_maps)
     struct tiles flat = map_of(SIDE, SIDE, 1, as_they_are);
     for (size_t k = 0; k < SIDE * SIDE; k++)
         flat.height_m[k] = 0;
-    expect_ok(tiles_solve, &flat, INFINITY, NULL);
+    expect_ok(tiles_solve, &flat, INFINITY, &test_alone);
     assert_true(!flat.transfer && flat.problem.code != STATUS_OK);
     tiles_free(&flat);
 }

@@ -12,9 +12,9 @@ static double variance(double r, const void *context)
     return r > 48 ? 0 : pow(fmax(r, 12), -3.6);
 }
 
-/** SIDE rows of `points` heights that do not close. */
-static void write_long_map(const struct directory *place, const char *name, uint64_t seed, double step_um,
-                           size_t points)
+/** SIDE rows of `points` heights that do not close, every second one of them by `noise_um` too high. */
+static void write_noisy_map(const struct directory *place, const char *name, uint64_t seed, double step_um,
+                            size_t points, double noise_um)
 {
     enum { WIDE = 6 * SIDE };
     double *height = support_room(WIDE * WIDE * sizeof *height), square = 0;
@@ -25,8 +25,15 @@ static void write_long_map(const struct directory *place, const char *name, uint
     text_add(xyz, "x [um],y [um],z [um]\n");
     for (size_t k = 0; k < points * SIDE; k++)
         text_add(xyz, "%.9g,%.9g,%.9g\n", step_um * (double)(k % points), step_um * (double)(k / points),
-                 0.3 * height[k / points * WIDE + k % points] / sqrt(square));
+                 0.3 * height[k / points * WIDE + k % points] / sqrt(square) +
+                     noise_um * (double)((k / points + k % points) % 2));
     directory_write(place, name, text_string(xyz));
+}
+
+static void write_long_map(const struct directory *place, const char *name, uint64_t seed, double step_um,
+                           size_t points)
+{
+    write_noisy_map(place, name, seed, step_um, points, 0);
 }
 
 static void write_map(const struct directory *place, const char *name, uint64_t seed, double step_um)
@@ -224,8 +231,8 @@ TEST_IN_DIRECTORY(parameters_of_the_surface)
     write_waves(place, "in/n.csv", true);
     pipeline_rough(place, "in/line.csv", 400, 1, 1);
     run_scene(place, "maps", "models: [multiscale]\nsurfaces: [" MAP("w") ", " MAP("n") ", " MAP("line") "]\n");
-    expect_in_file(place, "maps/report.md", "| surface | Sq (µm) | Rq (µm) |", "| 0.200 (Sq) |",
-                   "\n| w | 0.200 | 0.200 |", "\n| n | 0.201 | 0.", "\n| line | – | 0.",
+    expect_in_file(place, "maps/report.md", "| surface | Rq (µm) | Ra (µm) | Sq (µm) |", "| 0.200 (Sq) |",
+                   "\n| w | 0.200 | 0.164 | 0.200 |", "\n| n | 0.165 | 0.135 | 0.201 |", "\n| line | 0.116 | ",
                    "*w* over its plane (ISO 25178-2): Sq 0.200 µm, Sa 0.1",
                    "low-passed at 6 um (Sq 0.201 → 0.165 um, slope 0.11 → 0.091)");
     expect_not_in_file(place, "maps/report.md", "*line* over its plane", "w.csv: a map, low-passed");
@@ -286,4 +293,42 @@ TEST_IN_DIRECTORY(pictures_and_spots)
     run_scene(place, "lines", "material: bronze\nsurfaces: [" MAP("line") "]\n");
     expect_not_in_file(place, "lines/report.md", "figures/map", "in contact, in");
     assert_false(directory_has(place, "lines/data/contact_spots.csv"));
+}
+
+/** The model's first area in the tables. */
+static double first_area(const struct directory *place, const char *path, const char *model)
+{
+    struct table table = directory_table(place, path);
+    for (size_t i = 0; i < table.rows; i++)
+        if (strcmp(table_text(&table, i, "model"), model) == 0)
+            return table_number(&table, i, "area_ratio");
+    return NAN;
+}
+
+/** `lambda_s: none`, given, takes a noisy map as measured; else it is low-passed, and what that changes is said. Of a
+ * map without noise neither is. */
+TEST_IN_DIRECTORY(as_measured)
+{
+    static const char *const said[2] = {"low-passed at 6 um", "the low-pass of the map has changed area by about +"};
+    char *curves[2];
+    for (int noisy = 0; noisy < 2; noisy++) {
+        double area[2];
+        write_noisy_map(place, "in/a.csv", 1, 1, SIDE, noisy ? 0.2 : 0);
+        for (int given = 0; given < 2; given++) {
+            const char *text =
+                given ? MATERIAL "lambda_s: none\nsurfaces: [" MAP("a") "]\n" : MATERIAL "surfaces: [" MAP("a") "]\n";
+            run_scene(place, given ? "given" : "not", text);
+            curves[given] = directory_read(place, given ? "given/data/contact.csv" : "not/data/contact.csv");
+            area[given] = first_area(place, given ? "given/data/contact.csv" : "not/data/contact.csv", "direct");
+            for (int k = 0; k < 2; k++)
+                if (noisy && !given)
+                    expect_in_file(place, "not/report.md", said[k]);
+                else
+                    expect_not_in_file(place, given ? "given/report.md" : "not/report.md", said[k]);
+        }
+        if (noisy)
+            assert_true(area[1] < 0.7 * area[0]);
+        else
+            assert_string_equal(curves[0], curves[1]);
+    }
 }
