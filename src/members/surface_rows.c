@@ -229,12 +229,11 @@ static void note_map(const struct surface_scans *task, const char *file, const s
                      const struct direct_map_def *map, const struct areal_parameters of[2], size_t unusable, size_t run)
 {
     size_t used = scan->ny - unusable;
-    note_add(
-        &task->record->summary.notes, file,
-        "note.map\n%s %.3g\nsq_before %.3g\nsq_after %.3g\nslope_before %.2g\nslope_after %.2g\nused %zu\n%s\n%s %zu",
-        map->cutoff > 0 ? "cutoff_um" : "whole", map->cutoff * map->dx_m * 1e6, of[0].sq_m * 1e6, of[1].sq_m * 1e6,
-        of[0].sdq, of[1].sdq, used, task->scene->direction == SCAN_DIRECTION_X ? "" : "columns",
-        run < used ? "run" : "all", run);
+    note_add(&task->record->summary.notes, file,
+             "note.map\n%s %.3g\nsq %.3g\nsq_left %.3g\nslope %.2g\nslope_left %.2g\nused %zu\n%s\n%s %zu",
+             map->cutoff > 0 ? "cutoff_um" : "whole", map->cutoff * map->dx_m * 1e6, of[0].sq_m * 1e6, of[1].sq_m * 1e6,
+             of[0].sdq, of[1].sdq, used, task->scene->direction == SCAN_DIRECTION_X ? "" : "columns",
+             run < used ? "run" : "all", run);
 }
 
 /** The first map of a surface speaks for all: of its lay, and of the square that a direct study takes. */
