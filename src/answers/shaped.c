@@ -8,10 +8,9 @@
 #include <string.h>
 
 enum {
-    CELLS = 32,      /* a side of a quarter of the area, the others being its mirror images */
-    NODES = 240,     /* pressures of the model's curve */
-    LOADS_MOST = 61, /* of a quarter */
-    LOADS = 31       /* of a whole area */
+    CELLS = 32,  /* a side of a quarter of the area, the others being its mirror images */
+    NODES = 240, /* pressures of the model's curve */
+    LOADS = 31   /* between which the resistances are within .5 % of those of twice as many */
 };
 static const double nodes_per_decade = 12;
 static const double lighter = 1e-3;      /* than the lightest load, where the curve begins */
@@ -230,10 +229,9 @@ static enum status_code solve(struct joint_shape *out, struct cells *cells, cons
 {
     struct table area = {0}, flat = {0}, over = {0}, spots = {0};
     const double first = task->loads[0] / beyond, last = task->loads[task->load_count - 1] * beyond;
-    const int loads = cells->joint->fields ? LOADS : LOADS_MOST;
     double yields_Pa = cells->hardness_Pa;
-    for (int i = 0; i < loads; i++) {
-        double load = first * pow(last / first, (double)i / (loads - 1)), unused;
+    for (int i = 0; i < LOADS; i++) {
+        double load = first * pow(last / first, (double)i / (LOADS - 1)), unused;
         double pressure_Pa = material_pair_pressure(task->pair, load);
         struct solved at;
         if (!(pressure_Pa < cells->hardness_Pa))
