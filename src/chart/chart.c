@@ -376,7 +376,10 @@ static void align_marks(const struct chart_panel *panel, const struct chart_exte
     double end = wide;
     size_t i;
     json_t *mark;
-    json_array_foreach(panel->marks, i, mark) json_object_del(mark, "name_x");
+    json_array_foreach(panel->marks, i, mark)
+    {
+        json_object_del(mark, "name_x");
+    }
     for (;;) {
         json_t *next = NULL;
         double at = -INFINITY;

@@ -45,9 +45,9 @@ struct model_task {
     const struct strip_rows *rows; /* its profiles; NULL: not there */
     const struct strip *strip;     /* these solved as a strip, for models that use_strip; NULL: not there */
     const struct bearing *bearing; /* their heights in order, for those that are plastic too; NULL: not there */
-    struct model_strips flatter; /* of the flatter of two directions, for models that use_strip; strip NULL: there is
-                                    none, else it has a share of the answer */
-    bool two_directions;         /* struct scans_reach */
+    struct model_strips flatter;   /* of the flatter of two directions, for models that use_strip; strip NULL: there is
+                                      none, else it has a share of the answer */
+    bool two_directions;           /* struct scans_reach */
     const struct transfer *transfer; /* a map's direct solution, for models that use_map; NULL: not there */
     uint64_t *evaluations; /* what running models takes is added here: visits of scales, laws at quadrature nodes, loads
                               solved for a separation; NULL: it is not counted */

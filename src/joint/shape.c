@@ -164,7 +164,7 @@ static void turn(fftw_complex out, const double a[2], const double b[2], double 
 static void apply_to_four(fftw_complex *const at[4], const double share[4], const double turns[4])
 {
     static const double zero[2] = {0};
-    fftw_complex one[4];
+    fftw_complex one[4] = {{0}};
     double along[2], across[2], both[2], back[2];
     turn(one[0], *at[0], zero, 0, turns[0], turns[1]);
     turn(one[1], *at[1], zero, 0, turns[2], turns[3]);
@@ -241,7 +241,7 @@ static enum status_code solve(double *const y[], double *const work[], int count
                               const double *scale, double goal, struct status *status)
 {
     size_t n = shape->cells;
-    double square[2] = {0}, least[2];
+    double square[2] = {0}, least[2] = {0};
     for (int b = 0; b < count; b++) {
         square[b] = dot(work[b], work[b], n);
         least[b] = goal * goal * square[b];

@@ -488,8 +488,10 @@ const struct scene_key scene_keys[] = {
      scene_source_within, .at = AT(convergence), .given = AT(convergence.given),
      .within = SCENE_MAPPING("convergence", convergence_keys)},
     {"surfaces",
-     "a list of {name, file, along (scans in the other direction; the steeper ones are taken as across the lay) or lay, "
-     "x_unit, z_unit, column, material, counterface, hardness, measured}; default: every scan in the directory by its name, a sub-directory a surface of "
+     "a list of {name, file, along (scans in the other direction; the steeper ones are taken as across the lay) or "
+     "lay, "
+     "x_unit, z_unit, column, material, counterface, hardness, measured}; default: every scan in the directory by its "
+     "name, a sub-directory a surface of "
      "its files",
      scene_surfaces_read, .at = 0, .within = &scene_surfaces_each},
 };
