@@ -189,7 +189,7 @@ TEST_CASE(test_the_sample_surfaces_are_what_make_sh_makes)
     FILE *script = fopen(PROJECT_SOURCE "/surfaces/make.sh", "r");
     assert_non_null(script);
     while (fgets(line, sizeof line, script)) {
-        if (strncmp(line, "synth -", 7) != 0 || strstr(line, "--map")) /* a map: test_samples */
+        if (strncmp(line, "synth -", 7) != 0 || strstr(line, "--map")) /* of random heights */
             continue;
         struct synth_def def;
         const char *file = parse_synth_line(line, &def);
