@@ -736,7 +736,8 @@ static bool by_roughness(struct claims *c)
 
 static double gap_share(const struct claims *c, size_t surface)
 {
-    return 100 * answer(c, surface, QUANTITY_GAP) / answer(c, surface, QUANTITY_JOINT);
+    return nothing_touches(c, surface) ? NAN /* bond-line says it */
+                                       : 100 * answer(c, surface, QUANTITY_GAP) / answer(c, surface, QUANTITY_JOINT);
 }
 
 static double film_share(const struct claims *c, size_t surface)
