@@ -168,6 +168,7 @@ TEST_IN_DIRECTORY(scans_along_are_read_as_others)
     struct status status = {0};
     assert_int_not_equal(pipeline_into(&outcome, place, "in", "same", (struct run_options){.jobs = 1}, &status), 0);
     assert_non_null(strstr(text_string(&outcome.messages), "along: its scans are those of 'file'"));
+    run_outcome_free(&outcome);
 }
 
 /** A map of waves along x and weaker ones along y, on a plane, has the ratio of their slopes; turned, the inverse. */
