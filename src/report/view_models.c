@@ -49,8 +49,9 @@ static void put_model(json_t *out, const struct view_source *source, size_t m)
                         "");
     json_set(row, "full_load", curve->exists ? curve->full_load * scale : NAN);
     bool invalid = !curve_summary_is_valid(curve, at.value[QUANTITY_LOAD]);
-    bool above = !model_rows[m]->plastic && !pair->unknown && at.value[QUANTITY_AREA] != 0 &&
-                 material_pair_pressure(pair, at.value[QUANTITY_LOAD]) > pair->hardness_Pa * at.value[QUANTITY_AREA];
+    bool above = !pair->unknown &&
+                 model_is_overloaded(model_rows[m], &at,
+                                     material_pair_pressure(pair, at.value[QUANTITY_LOAD]) / pair->hardness_Pa);
     view_flag(row, "invalid", invalid);
     view_flag(row, "above_hardness", above);
     if (invalid)
