@@ -227,7 +227,7 @@ static void draw_surrogates(double *strip_m, size_t points, struct solver *solve
             draw_row(own_m + r * length, &solver->phases, length, rows->seed ? rows->seed[r] + s / 2 : s / 2 + 1,
                      rows->seed ? 0 : r << 32, status);
         for (size_t k = 0; k < points && s % 2 == 1; k++) /* turned over, which is as likely and errs the other way */
-            own_m[k] = 2 * solver->phases.mean_m - own_m[k - points];
+            own_m[k] = 2 * solver->phases.mean_m - strip_m[(s - 1) * points + k];
     }
 }
 
