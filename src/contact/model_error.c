@@ -43,7 +43,7 @@ const struct model_error model_errors[] = {
     ROW(strip, true, 0.28, 0.38, 0.42),
     ERROR(strip_plastic, 0.11, 0.47, 0.50),
     ROW(strip_plastic, true, 0.11, 0.45, 0.47),
-    ERROR(cmy, 0.61, 0.55, 0.83),
+    ERROR(cmy, 0.61, 0.56, 0.87),
 };
 const size_t model_error_count = sizeof model_errors / sizeof *model_errors;
 

@@ -420,8 +420,11 @@ static void add_intervals(struct page *page, const struct findings *findings, si
             beyond += !holds(finding);
         }
         gsl_sort(half_width, 1, count);
-        median[a] = exp(gsl_stats_median_from_sorted_data(half_width, 1, count));
-        page_number(page, (double)beyond / (double)count, bound);
+        median[a] = count > 0 ? exp(gsl_stats_median_from_sorted_data(half_width, 1, count)) : 1;
+        if (count > 0)
+            page_number(page, (double)beyond / (double)count, bound);
+        else /* the textbook's area is P/H, whatever the scan */
+            text_add(&page->text, " – |");
     }
     text_add(&page->text, " %.1f %.1f %.1f |\n", median[0], median[1], median[2]);
     free(half_width);
@@ -523,7 +526,7 @@ static void add_tables(struct page *page, const struct findings *findings)
         for (size_t m = 0; m < model_count; m++)
             if (ran(&findings[p], m)) {
                 text_add(&page->text, "| %s | %s |", parts[p].title, model_rows[m]->name);
-                add_intervals(page, &findings[p], m, 0.1);
+                add_intervals(page, &findings[p], m, p == HARD && !model_rows[m]->plastic ? 0.13 : 0.1);
             }
     page_rows(page, "overlaps");
     for (size_t p = 0; p <= HARD; p += HARD)
