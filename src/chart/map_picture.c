@@ -22,7 +22,9 @@ enum status_code map_picture_write(const struct map_contact *contact, const stru
                                    const char *directory)
 {
     const size_t cells = contact->cells;
-    const bool small = (double)cells * contact->cell_m<1e-3, flows = contact->flowed> 0;
+    const double side_m = (double)cells * contact->cell_m;
+    const bool small = side_m < 1e-3;
+    const bool flows = contact->flowed > 0;
     const double length = small ? micro : milli, stress = pair->unknown ? 1 : pair->effective_modulus_Pa * 1e-6;
     struct text script = {0}, data = {0};
     for (int block = 0; block < 2; block++, text_add(&data, "\n\n"))
@@ -32,9 +34,8 @@ enum status_code map_picture_write(const struct map_contact *contact, const stru
     for (size_t i = 0; i < contact->points; i++)
         text_add(&data, "%.6g,%.6g\n", (double)i * contact->spacing_m * length, contact->pressure[i] * stress);
     json_t *view = json_pack("{ss so ss sf sf sf sb sb}", "name", name, "title", json_shown(title), "length_unit",
-                             small ? "µm" : "mm", "cell", contact->cell_m * length, "side",
-                             (double)cells * contact->cell_m * length, "section", contact->section_m * length,
-                             "has_material", !pair->unknown, "flows", flows);
+                             small ? "µm" : "mm", "cell", contact->cell_m * length, "side", side_m * length, "section",
+                             contact->section_m * length, "has_material", !pair->unknown, "flows", flows);
     if (view && flows)
         json_set(view, "hardness", pair->hardness_Pa / pair->effective_modulus_Pa * stress);
     enum status_code rc =

@@ -228,7 +228,7 @@ static void mark_lines(struct power_law_band *band, const bool out[LOG_BIN_MOST]
 {
     for (size_t j = 0; j < band->bins; j++)
         band->use[j] = isfinite(band->bin[j].y) ? POWER_LAW_BAND_OUTSIDE : POWER_LAW_BAND_EMPTY;
-    for (size_t j = 0, end; j<band->bins; j = end> j ? end : j + 1) {
+    for (size_t j = 0, end; j < band->bins; j = j < end ? end : j + 1) {
         bool lines = false;
         for (end = j; end < band->bins && out[end]; end++)
             lines = lines || line[end];
