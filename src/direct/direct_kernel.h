@@ -28,8 +28,8 @@
 /** Points a side of a square: the places of a process fit 31 bits. */
 enum { DIRECT_KERNEL_MOST = 32768 };
 
-/** ny rows of nx points that repeat; or (`mirrored`, of a square) their mirror images beyond every edge do, twice as
- * long a side. */
+/** ny rows of nx points that repeat; or (`mirrored`, of a square or one row) their mirror images beyond every edge do,
+ * twice as long a side. */
 struct direct_grid {
     size_t nx, ny;
     double spacing_m; /* dx, the same in both directions */
