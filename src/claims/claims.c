@@ -381,7 +381,7 @@ static bool area_pressed(struct claims *c)
  * better than its first, of a surface that it leaves out since nothing is known of that one's scatter. */
 static bool ranking_holds(const struct claims *c)
 {
-    const struct comparison_ranking *ranking = &c->comparison->ranking;
+    const struct comparison *ranking = c->comparison;
     const bool rises = quantity_rows[ranking->criterion].is & QUANTITY_RISES;
     if (ranking->count < 2)
         return false;
@@ -397,7 +397,7 @@ static bool ranking_holds(const struct claims *c)
 /** Where the surfaces are not told apart by what stands in the table, or are. */
 static bool rank(struct claims *c)
 {
-    const struct comparison_ranking *ranking = &c->comparison->ranking;
+    const struct comparison *ranking = c->comparison;
     struct named like = {0};
     size_t next = 1;
     if (!ranking_holds(c) || area_pressed(c))

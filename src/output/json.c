@@ -378,7 +378,7 @@ static json_t *work_json(const struct results *results)
 }
 
 /** The surfaces held against each other in the leading model, the best first. */
-static json_t *comparison_json(const struct results *results, const struct comparison_ranking *ranking)
+static json_t *comparison_json(const struct results *results, const struct comparison *ranking)
 {
     static const char *const verdicts[] = {"not told apart", "told apart", "told apart"};
     json_t *ranks = json_array(), *pairs = json_array();
@@ -527,7 +527,7 @@ enum status_code json_write(const struct results *results, const struct comparis
               print(file, ",\n\"leading\": ", json_string(model_rows[plan_leading_model(results->plan)]->name)) &&
               print(file, ",\n\"claims\": ", claims_json(claims)) && print_surfaces(file, results, status) &&
               print(file, ",\n\"refused\": ", refused_json(results)) &&
-              print(file, ",\n\"comparison\": ", comparison_json(results, &comparison->ranking)) &&
+              print(file, ",\n\"comparison\": ", comparison_json(results, comparison)) &&
               (!scene->passed_over || print(file, ",\n\"passed_over\": ", json_lines(scene->passed_over))) &&
               (scene->target_count == 0 || print(file, ",\n\"answers\": ", tables_answers_json(results))) &&
               (scene->limit_count == 0 || print(file, ",\n\"limits\": ", tables_limits_json(results))) &&

@@ -260,7 +260,7 @@ static enum status_code add_ranking(json_t *view, struct compared *all, struct s
 {
     char unit[UNIT_LENGTH + 20];
     const struct estimate **known = malloc((all->ranked_count + 1) * sizeof *known);
-    struct comparison_ranking ranking = {.count = 0};
+    struct comparison ranking = {.count = 0};
     json_t *out = view_part(view, "ranking");
     if (!known)
         return status_memory(status);
@@ -294,7 +294,7 @@ static enum status_code add_ranking(json_t *view, struct compared *all, struct s
         json_array_append(view_list(out, "lines"), line);
         place += tested;
     }
-    comparison_ranking_free(&ranking);
+    comparison_free(&ranking);
     free(known);
     return rc;
 }

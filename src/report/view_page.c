@@ -55,7 +55,7 @@ static void put_row(json_t *row, const struct view_source *source, size_t surfac
 {
     static const char *const verdicts[] = {
         [LIMIT_NO_VALUE] = "no_value", [LIMIT_MET] = "met", [LIMIT_MISSED] = "missed", [LIMIT_UNDECIDED] = "undecided"};
-    const struct comparison_ranking *ranking = &source->comparison->ranking;
+    const struct comparison *ranking = source->comparison;
     const struct surface_summary *summary = view_summary(source, surface);
     view_text(row, "surface", view_name(source, surface));
     view_flag(row, "map", summary->has_map);
@@ -78,7 +78,7 @@ static void put_table(json_t *out, const struct view_source *source)
 {
     const struct results *results = source->results;
     const struct scene *scene = results->scene;
-    const bool lettered = results->usable_count > 1 && source->comparison->ranking.count > 1;
+    const bool lettered = results->usable_count > 1 && source->comparison->count > 1;
     json_t *rows = view_list(out, "rows");
     for (size_t i = 0; i < results->surface_count; i++)
         if (results->surfaces[i].summary.usable && json_array_size(rows) < VIEW_ROWS)
@@ -94,9 +94,9 @@ static void put_table(json_t *out, const struct view_source *source)
     view_flag(out, "has_letters", lettered);
     if (lettered)
         view_flag(out,
-                  results->usable_count > 2                                      ? "many_letters"
-                  : comparison_told_apart(&source->comparison->ranking.pairs[0]) ? "two_differ"
-                                                                                 : "two_alike",
+                  results->usable_count > 2                              ? "many_letters"
+                  : comparison_told_apart(&source->comparison->pairs[0]) ? "two_differ"
+                                                                         : "two_alike",
                   true);
     if (results->usable_count > VIEW_ROWS)
         view_count(out, "rows_left_out", results->usable_count - VIEW_ROWS);

@@ -230,12 +230,12 @@ TEST_OF_PLAIN(a_target_is_answered_in_newtons)
                      "at most");
     report_says("| beta | 20 (10–40) | 0.15 (0.096–0.24) |");
     assert_terminal("\nbeta          20   10–40                   0.15   0.096–0.24\n");
-    answers[made.comparison.leading].kind = ANSWER_NOT_REACHED;
+    answers[plan_leading_model(&made.plan)].kind = ANSWER_NOT_REACHED;
     report_says("and *beta* needs more than 20.0\u00a0N.**", "| beta | &#62;\u00a020.0 |");
     assert_terminal(">\u00a020.0");
-    answers[made.comparison.leading].kind = ANSWER_LIGHTEST;
+    answers[plan_leading_model(&made.plan)].kind = ANSWER_LIGHTEST;
     report_says("| beta | ≤\u00a020.0 |");
-    answers[model_count + made.comparison.leading].kind = ANSWER_LIGHTEST;
+    answers[model_count + plan_leading_model(&made.plan)].kind = ANSWER_LIGHTEST;
     report_says("*alpha* needs at most 10.0\u00a0N");
 }
 
@@ -422,7 +422,7 @@ TEST_WITH(an_area_that_cannot_differ_is_not_ranked_by_something_else, NULL, free
     target.quantity = QUANTITY_AREA;
     target.how = quantity_rows[QUANTITY_AREA].asked;
     assert_says_page("The contact area is load over hardness here, so the surfaces cannot differ in it.", "better");
-    double *area = &made_up_surface(&made, 2)->models[made.comparison.leading]->operating.value[QUANTITY_AREA];
+    double *area = &made_up_surface(&made, 2)->models[plan_leading_model(&made.plan)]->operating.value[QUANTITY_AREA];
     *area *= 1.0001; /* pressed as far as hardness lets them, which is never quite */
     made_up_again(&made);
     assert_non_null(claim_of("area-pressed"));
@@ -436,7 +436,7 @@ TEST_WITH(an_area_that_cannot_differ_is_not_ranked_by_something_else, NULL, free
 TEST_OF_PLAIN(too_few_spots_are_told)
 {
     set_target();
-    struct answer *leading = answers + made.comparison.leading;
+    struct answer *leading = answers + plan_leading_model(&made.plan);
     for (size_t i = 0; i < MADE_UP_USABLE; i++)
         leading[i * model_count].spots_per_m2 = 1.2e6;
     assert_says_page("about 1.2 metal spots carry the load on alpha, beta and 1 more", "less than one");
@@ -540,10 +540,10 @@ TEST_OF_WHOLE(the_convergence_study_is_read)
 TEST_OF_PLAIN(an_end_beyond_the_loads_leaves_the_other)
 {
     set_target();
-    struct answer *leading = answers + made.comparison.leading;
+    struct answer *leading = answers + plan_leading_model(&made.plan);
     leading[0].high = leading[model_count].low = NAN;
     report_says("| beta | 20.0 (≥\u00a010) |", "| alpha | 10.0 (≤\u00a020) |");
-    made_up_surface(&made, 2)->models[made.comparison.leading]->operating.value[QUANTITY_ECR] = NAN;
+    made_up_surface(&made, 2)->models[plan_leading_model(&made.plan)]->operating.value[QUANTITY_ECR] = NAN;
     made_up_surface(&made, 2)->pair.hardness_Pa = 5e6;
     assert_says_page("**The load exceeds the hardness:** 10.0\u00a0MPa on *gamma*, which yields at 5.00\u00a0MPa.",
                      "1 more");
@@ -553,7 +553,7 @@ TEST_OF_PLAIN(an_end_beyond_the_loads_leaves_the_other)
 TEST_OF_PLAIN(both_ends_beyond_the_loads_are_told)
 {
     set_target();
-    struct answer *leading = &answers[made.comparison.leading];
+    struct answer *leading = &answers[plan_leading_model(&made.plan)];
     leading->low = leading->high = NAN;
     leading->wider = true;
     assert_says_page("**Loads too narrow:** the interval of *beta* ends beyond the loads of this report", "–…");
@@ -593,7 +593,7 @@ static void limit_areas(size_t count)
     for (size_t m = 0; m < model_count; m++)
         if (made_up_surface(&made, 0)->models[m])
             made_up_surface(&made, 0)->models[m]->clamped = 0;
-    made_up_surface(&made, 0)->models[made.comparison.leading]->clamped = count;
+    made_up_surface(&made, 0)->models[plan_leading_model(&made.plan)]->clamped = count;
     made_up_again(&made);
 }
 
