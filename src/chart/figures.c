@@ -372,10 +372,10 @@ static void put_rows(struct chart *chart, const struct row *rows, size_t count)
 static struct row surface_row(const struct source *source, size_t surface)
 {
     const struct asked *asked = &source->asked;
-    const struct known known = known_asked(source->results, asked, surface);
+    const struct known known = known_shown(source->results, asked, NULL, surface);
     const bool bound = known.kind != KNOWN_VALUE;
-    struct row row = {.value = known.kind == KNOWN_NOTHING ? NAN : asked_shown(asked, known.value),
-                      .ends = {NAN, NAN},
+    struct row row = {.value = known.kind == KNOWN_NOTHING ? NAN : known.value,
+                      .ends = {bound ? NAN : known.low, bound ? NAN : known.high},
                       .surface = surface,
                       .marker = known.measured ? 5
                                 : bound        ? 6
@@ -383,8 +383,6 @@ static struct row surface_row(const struct source *source, size_t surface)
                       .notes = known.measured ? NOTE(FIGURE_MEASURED)
                                : bound        ? NOTE(FIGURE_BOUND)
                                               : 0};
-    if (!bound)
-        asked_ends(row.ends, asked, (const double[]){known.low, known.high});
     row.place = asked->more_is_better ? -row.value : row.value;
     return row;
 }

@@ -211,12 +211,6 @@ static bool put_names(struct claims *c, const struct named *named)
     return named->count > 0;
 }
 
-/** Of a value and its interval: two digits where that is wider than a factor 1.2 to either side. */
-static int digits_of(double low, double high)
-{
-    return high > 1.44 * low ? 2 : 3;
-}
-
 /* ---- What stops a reader ---- */
 
 static bool refused(struct claims *c)
@@ -333,11 +327,12 @@ static bool measured(struct claims *c)
         return false;
     const struct estimate *fit = &c->results->answers[c->i].fit;
     const double factor = estimate_value(fit), low = estimate_end(fit, 0), high = estimate_end(fit, 1);
+    const int digits = known_digits(&(struct known){.low = low, .high = high});
     c->key = "measured-elsewhere";
     if (fit->count == 0)
         return true;
-    put_number(c, "factor", factor, factor, digits_of(low, high), "");
-    put_range(c, "interval", isfinite(low) ? low : factor, isfinite(high) ? high : factor, digits_of(low, high), "");
+    put_number(c, "factor", factor, factor, digits, "");
+    put_range(c, "interval", isfinite(low) ? low : factor, isfinite(high) ? high : factor, digits, "");
     c->key = "measured-beside";
     if (known_carried(c->results, results_measured_quantity(c->results), c->i) == 1)
         return true;
@@ -965,23 +960,14 @@ enum status_code claims_make(json_t **out, const struct results *results, const 
 
 /* ---- The headline ---- */
 
-static struct known known_of(const struct claims *c, size_t surface)
-{
-    return c->asked.target ? known_load(c->results, c->asked.target, surface)
-                           : known_asked(c->results, &c->asked, surface);
-}
-
 /** What surfaces are ordered by: the load that the target needs, else the answer; less is better. */
 static double cost_of(const struct claims *c, size_t surface)
 {
-    const struct known known = known_of(c, surface);
-    if (known.kind == KNOWN_NOTHING ||
-        known.kind == (!c->asked.target && c->asked.more_is_better ? KNOWN_AT_MOST : KNOWN_MORE_THAN))
+    const struct known known = known_shown(c->results, &c->asked, c->asked.target, surface);
+    const bool more = !c->asked.target && c->asked.more_is_better;
+    if (known.kind == KNOWN_NOTHING || known.kind == (more ? KNOWN_AT_MOST : KNOWN_MORE_THAN))
         return INFINITY;
-    if (c->asked.target)
-        return known.value * asked_load_of(c->results, surface).scale;
-    const double shown = asked_shown(&c->asked, known.value);
-    return c->asked.more_is_better ? -shown : shown;
+    return more ? -known.value : known.value;
 }
 
 static void tell(struct claims *c, const char *name, double shown, int digits)
@@ -996,21 +982,17 @@ static bool add_part(struct claims *c, const char *before, size_t surface)
     static const char *const kinds[] = {
         [KNOWN_NOTHING] = "never", [KNOWN_VALUE] = "is", [KNOWN_AT_MOST] = "most", [KNOWN_MORE_THAN] = "more"};
     const bool target = c->asked.target;
+    const struct known known = known_shown(c->results, &c->asked, c->asked.target, surface);
     const struct asked_load load = asked_load_of(c->results, surface);
-    const struct known known = known_of(c, surface);
-    double ends[2] = {known.low * load.scale, known.high * load.scale};
-    if (!target)
-        asked_ends(ends, &c->asked, (const double[]){known.low, known.high});
-    const bool is = known.kind == KNOWN_VALUE, has = is && isfinite(ends[0]) && isfinite(ends[1]);
+    const bool is = known.kind == KNOWN_VALUE, has = is && isfinite(known.low) && isfinite(known.high);
     char name[80];
     add_both(c, before);
     text_free(&c->told);
     put_surface(c, surface);
     put_text(c, "unit", !target ? c->asked.unit : load.unit[0] ? load.unit : "E′Aₙ");
-    tell(c, "value", target ? known.value * load.scale : asked_shown(&c->asked, known.value),
-         has ? digits_of(ends[0], ends[1]) : 3);
-    tell(c, "low", ends[0], 2);
-    tell(c, "high", ends[1], 2);
+    tell(c, "value", known.value, is ? known_digits(&known) : 3);
+    tell(c, "low", known.low, 2);
+    tell(c, "high", known.high, 2);
     snprintf(name, sizeof name, "headline.%s-%s%s", target ? "load" : "value", kinds[known.kind],
              is && known.measured ? "-measured"
              : has                ? "-interval"

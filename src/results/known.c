@@ -63,14 +63,6 @@ struct known known_value(const struct results *results, enum quantity quantity, 
     return out;
 }
 
-struct known known_asked(const struct results *results, const struct asked *asked, size_t surface)
-{
-    struct known known = known_value(results, asked->quantity, surface);
-    if (asked->reciprocal && (known.kind == KNOWN_AT_MOST || known.kind == KNOWN_MORE_THAN))
-        known.kind = known.kind == KNOWN_AT_MOST ? KNOWN_MORE_THAN : KNOWN_AT_MOST;
-    return known;
-}
-
 void known_check_limits(struct results *results, size_t surface)
 {
     for (size_t l = 0; l < results->scene->limit_count; l++) {
@@ -108,4 +100,25 @@ struct known known_load(const struct results *results, const struct scene_asked 
     }
     out.short_loads = !carried && answer->wider;
     return out;
+}
+
+struct known known_shown(const struct results *results, const struct asked *asked, const struct scene_asked *target,
+                         size_t surface)
+{
+    struct known out = target ? known_load(results, target, surface) : known_value(results, asked->quantity, surface);
+    const double scale = asked_load_of(results, surface).scale;
+    double ends[2] = {out.low * scale, out.high * scale};
+    if (!target)
+        asked_ends(ends, asked, (const double[]){out.low, out.high});
+    out.value = target ? out.value * scale : asked_shown(asked, out.value);
+    out.low = ends[0];
+    out.high = ends[1];
+    if (!target && asked->reciprocal && (out.kind == KNOWN_AT_MOST || out.kind == KNOWN_MORE_THAN))
+        out.kind = out.kind == KNOWN_AT_MOST ? KNOWN_MORE_THAN : KNOWN_AT_MOST;
+    return out;
+}
+
+int known_digits(const struct known *known)
+{
+    return isfinite(known->low) && isfinite(known->high) && known->high > 1.44 * known->low ? 2 : 3;
 }
