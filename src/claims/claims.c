@@ -54,7 +54,6 @@ struct claim_row {
     enum claim_about about;
     bool melts;         /* heated() */
     enum effect effect; /* share(), with: */
-    double (*share)(const struct claims *c, size_t surface);
     const char *unit;
 };
 
@@ -209,6 +208,27 @@ static bool put_names(struct claims *c, const struct named *named)
     put_text(c, "names", text_string(&text));
     text_free(&text);
     return named->count > 0;
+}
+
+/** What surfaces are ordered by: the load that the target needs, else the answer; less is better. */
+static double cost_of(const struct claims *c, size_t surface)
+{
+    const struct known known = known_shown(c->results, &c->asked, c->asked.target, surface);
+    const bool more = !c->asked.target && c->asked.more_is_better;
+    if (known.kind == KNOWN_NOTHING || known.kind == (more ? KNOWN_AT_MOST : KNOWN_MORE_THAN))
+        return INFINITY;
+    return more ? -known.value : known.value;
+}
+
+/** The surface that costs least, of several such the first; or most, the last. */
+static size_t best_or_worst(const struct claims *c, bool worst)
+{
+    size_t out = usable(c, 0);
+    for (size_t k = 1; k < c->results->usable_count; k++) {
+        const double own = cost_of(c, usable(c, k)), found = cost_of(c, out);
+        out = (worst ? own >= found : own < found) ? usable(c, k) : out;
+    }
+    return out;
 }
 
 /* ---- What stops a reader ---- */
@@ -423,27 +443,20 @@ static bool rank(struct claims *c)
 static bool further_target(struct claims *c)
 {
     const struct scene_asked *target = &c->results->scene->targets[c->i];
-    struct known best = {.kind = KNOWN_NOTHING, .value = INFINITY};
-    size_t on = 0;
-    if (target == c->asked.target)
-        return false;
-    for (size_t k = 0; k < c->results->usable_count; k++) {
-        const struct known own = known_load(c->results, target, usable(c, k));
-        if ((own.kind == KNOWN_VALUE || own.kind == KNOWN_AT_MOST) && own.value < best.value) {
-            best = own;
-            on = usable(c, k);
-        }
-    }
+    struct claims of = *c;
+    of.asked.target = target;
+    const size_t on = best_or_worst(&of, false);
+    const struct known load = known_load(c->results, target, on),
+                       shown = known_shown(c->results, &of.asked, target, on);
     put_asked(c, "target", target);
     put_text(c, "symbol", target->symbol);
-    c->key = best.kind == KNOWN_NOTHING ? "target-never" : isnan(best.low) ? "target-alone" : "target";
-    if (best.kind == KNOWN_NOTHING)
-        return true;
-    const double scale = asked_load_of(c->results, on).scale;
+    c->key = isinf(cost_of(&of, on)) ? "target-never" : isnan(load.low) ? "target-alone" : "target";
+    if (target == c->asked.target || isinf(cost_of(&of, on)))
+        return target != c->asked.target;
     put_surface(c, on);
-    put_load(c, "load", on, best.value);
-    if (!isnan(best.low))
-        put_range(c, "interval", best.low * scale, best.high * scale, 2, "");
+    put_load(c, "load", on, load.value);
+    if (!isnan(load.low))
+        put_range(c, "interval", shown.low, shown.high, 2, "");
     return true;
 }
 
@@ -676,22 +689,22 @@ static double modelled(const struct claims *c, size_t model, size_t k)
     return asked_shown(&c->asked, comparison_middle(c->results, model, usable(c, k)).value[c->asked.quantity]);
 }
 
-/** Most over least of a model's answers in order of roughness; *rises: each is above the one before. 0: one has none.
- */
-static double spread_of(const struct claims *c, size_t m, bool *rises)
+/** Most over least of a model's answers; negative: in order of roughness not each is above the one before. 0: a surface
+ * has none. */
+static double spread_of(const struct claims *c, size_t m)
 {
     double least = INFINITY, most = 0, before = -INFINITY;
-    *rises = true;
+    bool rises = true;
     for (size_t k = 0; k < c->results->usable_count; k++) {
         const double value = modelled(c, m, k);
         if (!(value > 0 && isfinite(value)))
             return 0;
-        *rises = *rises && value > before * (1 + c->results->scene->tolerance);
+        rises = rises && value > before * (1 + c->results->scene->tolerance);
         least = fmin(least, value);
         most = fmax(most, value);
         before = value;
     }
-    return most / least;
+    return (rises ? 1 : -1) * most / least;
 }
 
 /** Where the models of the thesis run on three surfaces or more: the one by which the answer rises most, and those by
@@ -706,14 +719,13 @@ static bool by_roughness(struct claims *c)
     bool all = count >= 3 && differ_in_roughness(c->results);
     for (size_t m = 0; all && m < model_count; m++) {
         const struct model_row *row = model_rows[m];
-        bool rises;
         all = row->thesis_place == 0 || plan_runs_model(c->results->plan, m);
         if ((row->thesis_place == 0 && m != c->leading) || row->plastic != model_rows[c->leading]->plastic)
             continue;
-        const double spread = spread_of(c, m, &rises);
-        if (spread > 0 && !rises)
+        const double spread = spread_of(c, m);
+        if (spread < 0)
             text_add(&others, "%s%s", others.length > 0 ? ", " : "", row->label);
-        if (rises && spread > widest) {
+        if (spread > widest) {
             widest = spread;
             steepest = m;
         }
@@ -729,38 +741,32 @@ static bool by_roughness(struct claims *c)
     return differ;
 }
 
-static double gap_share(const struct claims *c, size_t surface)
+/** What the row's effect makes of the answer on a surface, in the row's unit; NaN: nothing. */
+static double share_of(const struct claims *c, size_t surface)
 {
-    return nothing_touches(c, surface) ? NAN /* bond-line says it */
-                                       : 100 * answer(c, surface, QUANTITY_GAP) / answer(c, surface, QUANTITY_JOINT);
-}
-
-static double film_share(const struct claims *c, size_t surface)
-{
-    return 100 * c->results->scene->joint.film_ohm_m2 / answer(c, surface, QUANTITY_AREA) /
-           answer(c, surface, QUANTITY_JOINT_ECR);
-}
-
-static double plating_factor(const struct claims *c, size_t surface)
-{
-    return answer(c, surface, QUANTITY_PLATING_FACTOR);
-}
-
-static double carrying_mm2(const struct claims *c, size_t surface)
-{
-    const double share = summary_of(c, surface)->carrying;
-    return share > 0 ? 1e6 * share * c->results->scene->nominal_area_m2 : NAN;
-}
-
-static double rise_K(const struct claims *c, size_t surface)
-{
-    return answer(c, surface, QUANTITY_TEMPERATURE) - c->results->scene->joint.temperature_K;
+    const struct scene *scene = c->results->scene;
+    const double carrying = summary_of(c, surface)->carrying;
+    switch (c->row->effect) {
+    case EFFECT_GAP: /* where nothing touches, bond-line says it */
+        return nothing_touches(c, surface)
+                   ? NAN
+                   : 100 * answer(c, surface, QUANTITY_GAP) / answer(c, surface, QUANTITY_JOINT);
+    case EFFECT_FILM:
+        return 100 * scene->joint.film_ohm_m2 / answer(c, surface, QUANTITY_AREA) /
+               answer(c, surface, QUANTITY_JOINT_ECR);
+    case EFFECT_PLATING:
+        return answer(c, surface, QUANTITY_PLATING_FACTOR);
+    case EFFECT_SHAPE:
+        return carrying > 0 ? 1e6 * carrying * scene->nominal_area_m2 : NAN;
+    default:
+        return answer(c, surface, QUANTITY_TEMPERATURE) - scene->joint.temperature_K;
+    }
 }
 
 /** What an effect that runs makes of the answer, from the least to the most over all surfaces. */
 static bool share(struct claims *c)
 {
-    const struct extent extent = extent_of(c, c->row->share, INFINITY);
+    const struct extent extent = extent_of(c, share_of, INFINITY);
     put_range(c, "share", extent.least, extent.most, 2, c->row->unit);
     put(c, "nominal", c->results->scene->nominal_area_m2);
     put(c, "current", c->results->scene->joint.current_A);
@@ -850,11 +856,11 @@ static const struct claim_row rows[] = {
     {"direct", CLAIM_CONTEXT, .when = direct},
     {"textbook", CLAIM_CONTEXT, .when = textbook},
     {"by-roughness", CLAIM_CONTEXT, .when = by_roughness},
-    {"shares-gap", CLAIM_CONTEXT, share, .effect = EFFECT_GAP, .share = gap_share, .unit = "%"},
-    {"shares-film", CLAIM_CONTEXT, share, .effect = EFFECT_FILM, .share = film_share, .unit = "%"},
-    {"shares-plating", CLAIM_CONTEXT, share, .effect = EFFECT_PLATING, .share = plating_factor, .unit = ""},
-    {"shares-shape", CLAIM_CONTEXT, share, .effect = EFFECT_SHAPE, .share = carrying_mm2, .unit = "mm²"},
-    {"heating", CLAIM_CONTEXT, share, .effect = EFFECT_HEATING, .share = rise_K, .unit = "K"},
+    {"shares-gap", CLAIM_CONTEXT, share, .effect = EFFECT_GAP, .unit = "%"},
+    {"shares-film", CLAIM_CONTEXT, share, .effect = EFFECT_FILM, .unit = "%"},
+    {"shares-plating", CLAIM_CONTEXT, share, .effect = EFFECT_PLATING, .unit = ""},
+    {"shares-shape", CLAIM_CONTEXT, share, .effect = EFFECT_SHAPE, .unit = "mm²"},
+    {"heating", CLAIM_CONTEXT, share, .effect = EFFECT_HEATING, .unit = "K"},
     {"chosen", CLAIM_CONTEXT, .when = chosen},
     {"hardness", CLAIM_CONTEXT, .when = hardness},
     {"duplicates", CLAIM_CONTEXT, .when = duplicates},
@@ -960,16 +966,6 @@ enum status_code claims_make(json_t **out, const struct results *results, const 
 
 /* ---- The headline ---- */
 
-/** What surfaces are ordered by: the load that the target needs, else the answer; less is better. */
-static double cost_of(const struct claims *c, size_t surface)
-{
-    const struct known known = known_shown(c->results, &c->asked, c->asked.target, surface);
-    const bool more = !c->asked.target && c->asked.more_is_better;
-    if (known.kind == KNOWN_NOTHING || known.kind == (more ? KNOWN_AT_MOST : KNOWN_MORE_THAN))
-        return INFINITY;
-    return more ? -known.value : known.value;
-}
-
 static void tell(struct claims *c, const char *name, double shown, int digits)
 {
     text_add(&c->told, "\n%s ", name);
@@ -1005,12 +1001,7 @@ enum status_code claims_headline(json_t **out, const struct results *results, co
 {
     struct claims c = begin(results, comparison, words);
     const char *const name = c.asked.target ? "headline.load" : "headline.value";
-    size_t ends[2] = {results->by_roughness[0], results->by_roughness[0]};
-    for (size_t k = 1; k < results->usable_count; k++) {
-        const size_t i = usable(&c, k);
-        ends[0] = cost_of(&c, i) < cost_of(&c, ends[0]) ? i : ends[0];
-        ends[1] = cost_of(&c, i) >= cost_of(&c, ends[1]) ? i : ends[1];
-    }
+    size_t ends[] = {best_or_worst(&c, false), best_or_worst(&c, true)};
     if (ends[0] == ends[1] && results->usable_count > 1) /* all alike: the first and the last */
         ends[1] = usable(&c, results->usable_count - 1);
     c.numbers = json_object();
