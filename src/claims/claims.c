@@ -35,18 +35,17 @@ struct named {
     size_t surface[NAMED], count;
 };
 
-/** What a function says of surfaces. */
+/** The range of a number over surfaces. */
 struct extent {
-    double least, most; /* infinite: it says nothing of any */
+    double least, most; /* infinite: no surface has a value */
     size_t at_most;
     struct named on;
 };
 
-/** What a row is asked about, claims.i: the baseline once, or each; of the usable surfaces the first of which it is so.
- */
+/** What claims.i counts for a row. Of surfaces, the first usable one that the claim holds for is told. */
 enum claim_about { ABOUT_BASELINE, ABOUT_SURFACES, ABOUT_TARGETS, ABOUT_LIMITS };
 
-/** A claim: said where `when` says so, which fills its numbers, and may take another key where the case is another. */
+/** A claim. `when` says whether it is made, fills in its numbers and may choose another key. */
 struct claim_row {
     const char *key;
     enum claim_level level;
@@ -98,7 +97,7 @@ static void add_name(struct named *named, size_t surface)
         named->surface[named->count - 1] = surface;
 }
 
-/** Of the usable surfaces of which `of` says something, and that below a limit. */
+/** The range of a number over the usable surfaces that have one below a limit. */
 static struct extent extent_of(const struct claims *c, double (*of)(const struct claims *c, size_t surface),
                                double below)
 {
@@ -117,7 +116,7 @@ static struct extent extent_of(const struct claims *c, double (*of)(const struct
 
 /* ---- What fills a sentence ---- */
 
-/** Numbers that claims name, as a sentence shows them. */
+/** How sentences show the numbers that claims name. */
 static const struct shown {
     const char *name;
     double scale; /* what is shown over SI */
@@ -137,7 +136,7 @@ static void put_text(struct claims *c, const char *name, const char *string)
     text_add_shown(&c->told, string);
 }
 
-/** "low to high" as shown, or one of them where both read alike; results.json has `numbers`. */
+/** "low to high", or one number where both look the same; results.json gets `numbers`. */
 static void put_shown(struct claims *c, const char *name, json_t *numbers, const double shown[2], int digits,
                       const char *unit)
 {
@@ -160,7 +159,7 @@ static void put_range(struct claims *c, const char *name, double low, double hig
     put_shown(c, name, json_numbers(ends, 2), ends, digits, unit);
 }
 
-/** One of shown_numbers. */
+/** As shown_numbers has it. */
 static void put(struct claims *c, const char *name, double value)
 {
     const struct shown *how = shown_numbers;
@@ -261,8 +260,8 @@ static bool beyond_hardness(struct claims *c)
     return model_rows[c->leading]->plastic && pressure_Pa >= pair->hardness_Pa;
 }
 
-/** Spots where the answer stands, by the model's own count or by spots all alike that have its area and resistance, the
- * fewer; at another load than the summary's as many more as that is larger. NaN: nothing counts them. */
+/** How many spots carry the answer's load: the model's count, or that of equal spots with the same area and resistance,
+ * whichever is fewer, in proportion to the load. NaN: not known. */
 static double spots_on(const struct claims *c, size_t surface)
 {
     const struct contact_point at = comparison_middle(c->results, c->leading, surface);
@@ -340,7 +339,7 @@ static bool loads_short(struct claims *c)
 
 /* ---- Verdicts ---- */
 
-/** A surface's measurement, and what it makes of the model. */
+/** A surface's measurement, and how far the model is from it. */
 static bool measured(struct claims *c)
 {
     if (!results_measured(c->results, c->i))
@@ -377,7 +376,7 @@ static bool not_flat(struct claims *c)
     return exponent->not_flat;
 }
 
-/** Is the area load over hardness on all surfaces, so that they cannot differ in it? */
+/** Is the area load over hardness on all surfaces? Then they cannot differ in it. */
 static bool area_pressed(struct claims *c)
 {
     if (c->asked.quantity != QUANTITY_AREA || c->results->usable_count < 2)
@@ -392,8 +391,8 @@ static bool area_pressed(struct claims *c)
     return true;
 }
 
-/** Does the ranking decide what the table shows: no number there is measured, which models do not rank, and none is
- * better than its first, of a surface that it leaves out since nothing is known of that one's scatter. */
+/** Does the ranking agree with the table? Not where a number there is measured, nor where a surface that is not ranked,
+ * as its scatter is unknown, is better than the first. */
 static bool ranking_holds(const struct claims *c)
 {
     const struct comparison *ranking = c->comparison;
@@ -409,7 +408,7 @@ static bool ranking_holds(const struct claims *c)
     return true;
 }
 
-/** Where the surfaces are not told apart by what stands in the table, or are. */
+/** Do the surfaces differ significantly? */
 static bool rank(struct claims *c)
 {
     const struct comparison *ranking = c->comparison;
@@ -439,7 +438,7 @@ static bool rank(struct claims *c)
     return true;
 }
 
-/** A target beside the first: its load on the surface that takes the least. */
+/** A target beside the first: its load on the surface that needs the least. */
 static bool further_target(struct claims *c)
 {
     const struct scene_asked *target = &c->results->scene->targets[c->i];
@@ -487,8 +486,8 @@ static bool further_limit(struct claims *c)
     return put_names(c, &on) && c->i >= ASKED_LIMIT_COLUMNS;
 }
 
-/** Scans of a surface beyond those there are, after which an interval of this standard deviation of one scan, and of a
- * model's own error, is shorter than a distance; 0: so many as are worth advising do not do it. */
+/** How many more scans make an interval in ln narrower than `distance` to either side, from the standard deviation of
+ * one scan and the model's own; 0: more than SCANS_MOST in all. */
 static size_t more_scans(double sd, double own, double distance, size_t scans)
 {
     for (size_t n = scans + 1; n <= SCANS_MOST; n++) {
@@ -499,7 +498,7 @@ static size_t more_scans(double sd, double own, double distance, size_t scans)
     return 0;
 }
 
-/** Of what decides: the first limit that is not decided, on the first surface that more scans would tell. */
+/** The first undecided limit, on the first surface where more scans would decide it. */
 static bool scans_to_decide(struct claims *c)
 {
     for (size_t l = 0; l < c->results->scene->limit_count; l++)
@@ -603,7 +602,7 @@ static double few_waves(const struct claims *c, size_t surface)
                : NAN;
 }
 
-/** What scans in another direction would make of the model's error, where a surface has none. */
+/** What the model's error would be with scans in a second direction, where a surface lacks them. */
 static bool one_direction(struct claims *c)
 {
     const struct model_row *leading = model_rows[c->leading];
@@ -669,8 +668,8 @@ static bool textbook(struct claims *c)
            curve_summary_is_valid(surface_model(summary_of(c, c->i), book), results_operating_load(c->results, c->i));
 }
 
-/** Is the roughest surface rougher than the smoothest one by more than chance: the mean square of w longest waves has
- * the relative standard deviation 1/sqrt(w), so ln Rq half of it; two of them? */
+/** Is the roughest surface rougher than the smoothest by two standard deviations? The mean square of w longest waves
+ * has the relative standard deviation 1/sqrt(w), ln Rq half of it. */
 static bool differ_in_roughness(const struct results *results)
 {
     const size_t ends[] = {results->by_roughness[0], results->by_roughness[results->usable_count - 1]};
@@ -707,9 +706,9 @@ static double spread_of(const struct claims *c, size_t m)
     return (rises ? 1 : -1) * most / least;
 }
 
-/** Where the models of the thesis run on three surfaces or more: the one by which the answer rises most, and those by
- * which it does not rise at every step. All are of the leading model's material law: elastic answers of a surface that
- * yields are marked in their table, and prove nothing. */
+/** The model whose answer rises most with roughness, and those whose answer does not rise at every step, where the
+ * thesis's models run on three surfaces or more. Models of the leading one's material law alone: an elastic answer on a
+ * surface that yields proves nothing. */
 static bool by_roughness(struct claims *c)
 {
     const size_t count = c->results->usable_count;
@@ -763,7 +762,7 @@ static double share_of(const struct claims *c, size_t surface)
     }
 }
 
-/** What an effect that runs makes of the answer, from the least to the most over all surfaces. */
+/** How much of the answer an effect makes, from the least to the most over all surfaces. */
 static bool share(struct claims *c)
 {
     const struct extent extent = extent_of(c, share_of, INFINITY);
@@ -800,7 +799,7 @@ static bool hardness(struct claims *c)
     return thickness_m > 0 && runs(c, EFFECT_PLASTICITY);
 }
 
-/** Files that hold the heights of one before, which are no evidence of their own. */
+/** Files with the same heights as an earlier one, which are no further evidence. */
 static bool duplicates(struct claims *c)
 {
     size_t copies = 0, first = 0;
@@ -877,7 +876,7 @@ static struct claims begin(const struct results *results, const struct compariso
                            .leading = plan_leading_model(results->plan)};
 }
 
-/** The next claim, of which nothing is told; NULL: none follows. */
+/** Begins the next claim; NULL: there is none. */
 static void start(struct claims *c, const struct claim_row *row, size_t i)
 {
     json_decref(c->numbers);
@@ -912,8 +911,8 @@ static void add_both(struct claims *c, const char *string)
     text_add(&c->markdown, "%s", string);
 }
 
-/** Puts the claim behind those of its level that weigh as much; one that weighs more than the whole interval before
- * all. */
+/** Puts the claim behind those of its level with as much weight or more; one that weighs more than the whole interval
+ * goes first of all. */
 static void insert(json_t *list, double *weights, const struct claims *c, size_t level_first, double interval)
 {
     const size_t count = json_array_size(list);
