@@ -506,7 +506,7 @@ static bool scans_to_decide(struct claims *c)
             const struct surface_summary *s = summary_of(c, usable(c, k));
             const struct limit_check *check = &s->limits[l];
             const struct scene_asked *limit = &c->results->scene->limits[l];
-            const struct estimate *known = curve_summary_estimate(surface_model(s, c->leading), (int)limit->quantity);
+            const struct estimate *known = results_estimate(c->results, usable(c, k), limit->quantity);
             const double sd = known->count > 1 ? known->sd : known->s;
             if (check->verdict != LIMIT_UNDECIDED || !(sd > 0) || s->has_tiles)
                 continue;
@@ -525,8 +525,7 @@ static bool scans_to_decide(struct claims *c)
 /** The factor to either side of the interval of a modelled answer; NaN: it has none. */
 static double factor_on(const struct claims *c, size_t surface)
 {
-    const struct estimate *estimate =
-        curve_summary_estimate(surface_model(summary_of(c, surface), c->leading), (int)c->asked.quantity);
+    const struct estimate *estimate = results_estimate(c->results, surface, c->asked.quantity);
     return known_value(c->results, c->asked.quantity, surface).measured
                ? NAN
                : sqrt(estimate_end(estimate, 1) / estimate_end(estimate, 0));
@@ -540,8 +539,7 @@ static bool uncertainty(struct claims *c)
     if (!(factor.most > 1))
         return false;
     const size_t surface = factor.at_most;
-    const struct curve_summary *curve = surface_model(summary_of(c, surface), c->leading);
-    const struct estimate *known = curve_summary_estimate(curve, (int)c->asked.quantity);
+    const struct estimate *known = results_estimate(c->results, surface, c->asked.quantity);
     const double few = summary_of(c, surface)->has_tiles ? 0 : accuracy_few_waves_sd(c->results, surface),
                  own = model_sd(model_rows[c->leading], c->asked.quantity, surface_knows_both(summary_of(c, surface))),
                  ofs = known->model_sd * known->model_sd,

@@ -293,13 +293,13 @@ static json_t *direct_curve_json(const struct direct_study *study, const struct 
     json_set(json, "hardness_Pa",
              kind == DIRECT_STUDY_CAPPED ? study->plan.hardness * pair->effective_modulus_Pa : NAN);
     json_set_all(json, quantity_rows[QUANTITY_LOAD].name, study->plan.load, curve->loads);
-    for (int q = 0; q < QUANTITY_COUNT; q++) {
+    for (enum quantity q = 0; q < QUANTITY_COUNT; q++) {
         const char *name = quantity_rows[q].name;
         char error_name[64];
         if (!quantity_rows[q].solved.column || !(results->plan->wanted & QUANTITY_BIT(q)))
             continue;
         for (size_t i = 0; i < curve->loads; i++)
-            value[i] = direct_study_value(study, pair, kind, (enum quantity)q, i, &error[i]);
+            value[i] = direct_study_value(study, pair, kind, q, i, &error[i]);
         snprintf(error_name, sizeof error_name, "%s_stderr", name);
         json_set_all(json, name, value, curve->loads);
         json_set_all(json, error_name, error, curve->loads);
@@ -320,12 +320,12 @@ static json_t *direct_json(const struct direct_study *study, const struct result
             continue;
         json_t *model = json_object();
         size_t loads = study->curves[direct_study_kind_of(study, m)].loads;
-        for (int q = 0; q < QUANTITY_COUNT; q++) {
+        for (enum quantity q = 0; q < QUANTITY_COUNT; q++) {
             double ratio[SCENE_DIRECT_LOADS];
             if (!quantity_rows[q].solved.ratio || !(results->plan->wanted & QUANTITY_BIT(q)))
                 continue;
             for (size_t i = 0; i < loads; i++)
-                ratio[i] = direct_study_ratio(study, results_pair(results, study->surface), m, (enum quantity)q, i);
+                ratio[i] = direct_study_ratio(study, results_pair(results, study->surface), m, q, i);
             json_set_all(model, quantity_rows[q].short_symbol, ratio, loads);
         }
         json_object_set_new(ratios, model_rows[m]->name, model);

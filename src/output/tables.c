@@ -280,7 +280,7 @@ static void put_contact(struct table *table, const struct surface_record *record
         for (size_t i = 0; i < record->curves[m].count; i++) {
             const struct contact_point *point = &record->curves[m].points[i];
             put_whose(table, &record->summary, m);
-            for (int q = 0; q < QUANTITY_COUNT; q++) {
+            for (enum quantity q = 0; q < QUANTITY_COUNT; q++) {
                 const struct quantity_row *row = &quantity_rows[q];
                 if (!(quantities & QUANTITY_BIT(q)))
                     continue;
@@ -306,9 +306,9 @@ static void put_bands(struct table *table, const struct surface_record *record, 
             const struct ensemble_band *band = &record->bands[m][i];
             put_whose(table, &record->summary, m);
             put_number(table, quantity_rows[QUANTITY_LOAD].name, band->load);
-            for (int q = 0; q < QUANTITY_COUNT; q++)
+            for (enum quantity q = 0; q < QUANTITY_COUNT; q++)
                 for (int end = 0; end < 4 && (quantities & QUANTITY_BIT(q)); end++)
-                    put(table, quantity_shown_name((enum quantity)q), ends[end],
+                    put(table, quantity_shown_name(q), ends[end],
                         end < 2 ? band->mean[q][end] : band->next[q][end - 2]);
             end_row(table);
         }
@@ -339,7 +339,7 @@ enum status_code curve_tables_open(struct curve_tables **out, const struct resul
     all->quantities = plan_quantities(plan);
     for (int t = 0; t < CURVE_TABLES; t++)
         all->table[t] = table_make(results, directory, names[t]);
-    for (int q = 0; q < QUANTITY_COUNT; q++)
+    for (enum quantity q = 0; q < QUANTITY_COUNT; q++)
         if ((quantity_rows[q].is & QUANTITY_BANDED) && (plan->wanted & QUANTITY_BIT(q)))
             all->band_quantities |= QUANTITY_BIT(q);
     return STATUS_OK;
@@ -590,12 +590,11 @@ static void fill_direct(struct table *table, const struct results *results, size
         put_text(table, "surface", results->surfaces[study->surface].summary.scene->name);
         put_text(table, "source", study->plan.side > 0 ? "map" : "law");
         put_number(table, "load_over_AnEp", study->plan.load[i]);
-        for (int q = 0; q < QUANTITY_COUNT; q++) {
+        for (enum quantity q = 0; q < QUANTITY_COUNT; q++) {
             const struct quantity_solved *solved = &quantity_rows[q].solved;
             if (!solved->column || !(results->plan->wanted & QUANTITY_BIT(q)))
                 continue;
-            double error, value = direct_study_value(study, results_pair(results, study->surface), kind,
-                                                     (enum quantity)q, i, &error);
+            double error, value = direct_study_value(study, results_pair(results, study->surface), kind, q, i, &error);
             put_number(table, solved->column, value);
             if (solved->ratio)
                 put(table, solved->ratio, "_stderr", error);
@@ -620,10 +619,9 @@ static void fill_direct_ratio(struct table *table, const struct results *results
         for (size_t i = 0; study->models[m].exists && i < study->curves[direct_study_kind_of(study, m)].loads; i++) {
             put_whose(table, &results->surfaces[study->surface].summary, m);
             put_number(table, "load_over_AnEp", study->plan.load[i]);
-            for (int q = 0; q < QUANTITY_COUNT; q++)
+            for (enum quantity q = 0; q < QUANTITY_COUNT; q++)
                 if (quantity_rows[q].solved.ratio && (results->plan->wanted & QUANTITY_BIT(q)))
-                    put_number(table, quantity_rows[q].solved.ratio,
-                               direct_study_ratio(study, pair, m, (enum quantity)q, i));
+                    put_number(table, quantity_rows[q].solved.ratio, direct_study_ratio(study, pair, m, q, i));
             end_row(table);
         }
 }

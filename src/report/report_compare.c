@@ -131,9 +131,9 @@ static struct side side_of(const struct compared *all, size_t k, const char *nam
     double share = NAN;
     if (out.elsewhere)
         share = place_of(json_object_get(model, "load_over_AnEp"), reference->pressure_Pa / modulus_Pa, &before);
-    for (int q = 0; q < QUANTITY_COUNT; q++)
+    for (enum quantity q = 0; q < QUANTITY_COUNT; q++)
         at.value[q] = out.elsewhere ? on_curve(json_object_get(model, quantity_rows[q].name), before, share)
-                                    : real(json_object_get(operating, quantity_shown_name((enum quantity)q)));
+                                    : real(json_object_get(operating, quantity_shown_name(q)));
     bool gap = quantity == QUANTITY_SEPARATION, adjusts = gap && isfinite(at.value[QUANTITY_ADJUSTED]);
     out.value = at.value[adjusts ? QUANTITY_ADJUSTED : quantity];
     out.value /= gap && out.elsewhere ? sqrt(real(json_object_get(surface, "m0_m2"))) : 1;
@@ -425,9 +425,9 @@ static void add_surface(json_t *view, struct compared *all, const char *name)
         }
     for (size_t i = 0; i < sizeof keys / sizeof *keys && !alone; i++)
         add_input(view, all, of, name, keys[i]);
-    for (int q = 0; q < QUANTITY_COUNT; q++)
+    for (enum quantity q = 0; q < QUANTITY_COUNT; q++)
         if (quantity_rows[q].handy.scale > 0)
-            add_number(item, all, name, &(struct number){.quantity = (enum quantity)q});
+            add_number(item, all, name, &(struct number){.quantity = q});
     for (const struct record_field *field = surface_fields; field->key; field++)
         if (field->digits > 0)
             add_number(item, all, name, &(struct number){.field = field});
@@ -466,14 +466,11 @@ static size_t count_values(const struct text *json)
 
 static void add_model(json_t *models, const char *label)
 {
-    json_t *known;
-    size_t i;
-    json_array_foreach(models, i, known)
-    {
-        if (strcmp(string(known, "label"), label) == 0)
-            return;
-    }
-    view_text(view_item(models), "label", label);
+    json_t *own = json_object();
+    view_text(own, "label", label);
+    if (!view_alike(models, NULL, own))
+        json_array_append(models, own);
+    json_decref(own);
 }
 
 static enum status_code add_report(json_t *view, struct compared *all, const char *path, struct status *status)

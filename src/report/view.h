@@ -72,6 +72,8 @@ json_t *view_item(json_t *array);
 json_t *view_list(json_t *out, const char *name);
 /** Marks all items but the last with `more`, the first with `first`, the last with `last`. */
 void view_separate(json_t *array);
+/** The item of a list that is, or whose `part` is, the same as another; NULL: none. */
+json_t *view_alike(const json_t *list, const char *part, const json_t *other);
 /** `gamma` with its standard error and `alpha` of a law; nothing where there is none. */
 void view_law(json_t *out, const struct power_law *law);
 /** A load of a surface as the user has it: "0.40 N". */

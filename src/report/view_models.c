@@ -42,11 +42,10 @@ static void put_model(json_t *out, const struct view_source *source, size_t m)
     view_text(row, "label", model_rows[m]->label);
     view_text(row, "anchor", text_string(&anchor));
     text_free(&anchor);
-    for (int q = 0; q < QUANTITY_COUNT; q++)
-        if (in_table(source, (enum quantity)q))
+    for (enum quantity q = 0; q < QUANTITY_COUNT; q++)
+        if (in_table(source, q))
             view_number(view_item(view_list(row, "cells")), "text",
-                        comparison_value(&at, (enum quantity)q, m, sigma_m) * quantity_unit((enum quantity)q).scale, 3,
-                        "");
+                        comparison_value(&at, q, m, sigma_m) * quantity_unit(q).scale, 3, "");
     json_set(row, "full_load", curve->exists ? curve->full_load * scale : NAN);
     bool invalid = !curve_summary_is_valid(curve, at.value[QUANTITY_LOAD]);
     bool above = !pair->unknown &&
@@ -68,9 +67,9 @@ static void put_one_surface(json_t *out, const struct view_source *source)
     json_t *item = json_object();
     view_text(item, "surface", view_name(source, results->baseline));
     view_load(item, "load", source, results->baseline, results_operating_load(results, results->baseline));
-    for (int q = 0; q < QUANTITY_COUNT; q++)
-        if (in_table(source, (enum quantity)q))
-            put_head(item, source, "table", (enum quantity)q);
+    for (enum quantity q = 0; q < QUANTITY_COUNT; q++)
+        if (in_table(source, q))
+            put_head(item, source, "table", q);
     for (size_t m = 0; m < model_count; m++)
         if (plan_runs_model(results->plan, m) && surface_model(&source->baseline->summary, m)->exists)
             put_model(item, source, m);
@@ -257,9 +256,9 @@ static void put_study(json_t *item, const struct view_source *source, const stru
             continue;
         json_t *row = view_item(rows);
         view_text(row, "label", model_rows[m]->label);
-        for (int q = 0; q < QUANTITY_COUNT; q++) {
-            const struct direct_study_distance distance = direct_study_distance(study, pair, m, (enum quantity)q);
-            if (!quantity_rows[q].solved.ratio || !wants(source, (enum quantity)q))
+        for (enum quantity q = 0; q < QUANTITY_COUNT; q++) {
+            const struct direct_study_distance distance = direct_study_distance(study, pair, m, q);
+            if (!quantity_rows[q].solved.ratio || !wants(source, q))
                 continue;
             json_t *cell = view_item(view_list(row, "cells"));
             if (distance.loads > 0)
@@ -289,9 +288,9 @@ void view_direct(json_t *out, const struct view_source *source)
     json_t *item = view_part(out, "direct");
     view_text(item, "reason", results->plan->effects[EFFECT_DIRECT].reason);
     view_flag(item, "solved", results->direct_count > 0);
-    for (int q = 0; q < QUANTITY_COUNT; q++)
-        if (quantity_rows[q].solved.ratio && wants(source, (enum quantity)q))
-            put_head(item, source, "table.direct", (enum quantity)q);
+    for (enum quantity q = 0; q < QUANTITY_COUNT; q++)
+        if (quantity_rows[q].solved.ratio && wants(source, q))
+            put_head(item, source, "table.direct", q);
     for (size_t k = 0; k < results->direct_count && k < VIEW_ROWS; k++)
         put_study(view_item(view_list(item, "studies")), source, &results->direct[k]);
     for (size_t i = 0; i < results->surface_count; i++) {

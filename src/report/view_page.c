@@ -117,13 +117,6 @@ void view_first_page(json_t *out, const struct view_source *source)
     put_table(out, source);
 }
 
-/** A value of a limit in its unit. */
-static void add_limit_value(struct text *out, const struct scene_asked *limit, const char *before, double value)
-{
-    text_add(out, "%s", before);
-    number_format(out, scene_asked_shown(limit, value), 3);
-}
-
 size_t view_limits_of(struct text *out, const struct results *results, bool missed)
 {
     size_t count = 0;
@@ -134,18 +127,19 @@ size_t view_limits_of(struct text *out, const struct results *results, bool miss
             bool swapped = limit->is_upper != limit->is_most; /* a reciprocal's ends */
             if (check->verdict == LIMIT_MET || (check->verdict == LIMIT_MISSED) != missed)
                 continue;
+            const double ends[] = {scene_asked_shown(limit, swapped ? check->high : check->low),
+                                   scene_asked_shown(limit, swapped ? check->low : check->high)};
             text_add(out, "surface '");
             text_add_shown(out, results->surfaces[i].summary.scene->name);
             text_add(out, "' %s the limit %s %s ", missed ? "misses" : "leaves undecided", limit->symbol,
                      limit->is_most ? "≤" : "≥");
             text_add_shown(out, limit->text);
+            text_add(out, isfinite(check->value) ? ": " : missed ? ": from a lighter load on" : ": no value");
             if (isfinite(check->value))
-                add_limit_value(out, limit, ": ", check->value);
-            else
-                text_add(out, missed ? ": from a lighter load on" : ": no value");
+                number_format(out, scene_asked_shown(limit, check->value), 3);
             if (!missed && isfinite(check->low) && isfinite(check->high)) {
-                add_limit_value(out, limit, " (95 % ", swapped ? check->high : check->low);
-                add_limit_value(out, limit, " to ", swapped ? check->low : check->high);
+                text_add(out, " (95 %% ");
+                number_format_range(out, ends[0], ends[1], 3);
                 text_add(out, ")");
             }
             if (isfinite(check->value)) {

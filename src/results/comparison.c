@@ -105,12 +105,6 @@ const struct comparison_pair *comparison_pair_of(const struct comparison *rankin
     return &ranking->pairs[ranking_pair(i, j, ranking->count)];
 }
 
-static const struct estimate *estimate_of(const struct results *results, size_t surface)
-{
-    return curve_summary_estimate(surface_model(&results->surfaces[surface].summary, plan_leading_model(results->plan)),
-                                  (int)results_criterion(results));
-}
-
 enum status_code comparison_make(struct comparison *out, const struct results *results, struct status *status)
 {
     const struct estimate *estimates[COMPARISON_RANKED_MOST];
@@ -125,7 +119,7 @@ enum status_code comparison_make(struct comparison *out, const struct results *r
         return status_memory(status);
     for (size_t i = 0; i < results->surface_count; i++) {
         const double cost = results_cost(results, i);
-        const struct estimate *estimate = estimate_of(results, i);
+        const struct estimate *estimate = results_estimate(results, i, out->criterion);
         if (!isfinite(cost) || estimate->count == 0 || isnan(estimate->half_width))
             continue;
         size_t at = out->count++;
@@ -134,7 +128,7 @@ enum status_code comparison_make(struct comparison *out, const struct results *r
         out->surface[at] = i;
     }
     for (size_t i = 0; i < out->count; i++)
-        estimates[i] = estimate_of(results, out->surface[i]);
+        estimates[i] = results_estimate(results, out->surface[i], out->criterion);
     return comparison_test(out, estimates, status);
 }
 

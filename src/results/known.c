@@ -36,8 +36,7 @@ struct known known_value(const struct results *results, enum quantity quantity, 
     const size_t leading = plan_leading_model(results->plan);
     const double carried = known_carried(results, quantity, surface),
                  model = comparison_middle(results, leading, surface).value[quantity];
-    const struct estimate *estimate =
-        curve_summary_estimate(surface_model(&results->surfaces[surface].summary, leading), (int)quantity);
+    const struct estimate *estimate = results_estimate(results, surface, quantity);
     struct known out = {isfinite(model) ? KNOWN_VALUE : KNOWN_NOTHING,
                         model,
                         estimate_end(estimate, 0),

@@ -144,9 +144,15 @@ const struct direct_study *results_direct_baseline(const struct results *results
 enum quantity results_criterion(const struct results *results)
 {
     unsigned computed = plan_quantities(results->plan);
-    for (int q = 0; q < QUANTITY_COUNT; q++)
+    for (enum quantity q = 0; q < QUANTITY_COUNT; q++)
         computed &= quantity_rows[q].from ? ~QUANTITY_BIT(q) : ~0U;
     return quantity_first(computed);
+}
+
+const struct estimate *results_estimate(const struct results *results, size_t surface, enum quantity quantity)
+{
+    const struct surface_summary *summary = &results->surfaces[surface].summary;
+    return curve_summary_estimate(surface_model(summary, plan_leading_model(results->plan)), (int)quantity);
 }
 
 double results_cost(const struct results *results, size_t surface)
