@@ -609,7 +609,7 @@ TEST_OF_PLAIN(one_is_not_several)
 /* Two of three surfaces lack a law of a decade: one has none, one a narrow band. */
 TEST_OF_WHOLE(what_no_spectrum_tells_is_not_said)
 {
-    report_says("No surface's γ is below 1 by more than its standard error. Carried on to ");
+    report_says("No surface's γ is below 1 by more than its standard error. Extended to ");
     report_lacks("No power law", "does not tell");
     made_up_surface(&made, 0)->power_law.found = POWER_LAW_BAND_NARROW;
     report_says("No power law of a decade was found on *beta*.");
@@ -618,7 +618,7 @@ TEST_OF_WHOLE(what_no_spectrum_tells_is_not_said)
                 "Where the spectrum tells it, no surface's γ is below 1",
                 " On 2 of 3 surfaces the spectrum does not tell γ");
     made_up_surface(&made, 2)->power_law.found = POWER_LAW_BAND_NONE;
-    report_lacks("is below 1 by", "would take at most");
+    report_lacks("is below 1 by", "would lower the area");
 }
 
 TEST_OF_PLAIN(bodies_are_those_of_the_surfaces)

@@ -340,5 +340,5 @@ TEST_IN_DIRECTORY(what_a_low_pass_does_not_change)
     write_noisy_map(place, "in/a.csv", 1, 1, SIDE, 0.2);
     run_scene(place, "out", MATERIAL "hardness: 100 MPa\nsurfaces: [" MAP("a") "]\n");
     expect_in_file(place, "out/report.md",
-                   "the low-pass of the map has changed gap by -9.9 %, resistance by +8.9 %, as");
+                   "the low-pass of the map has changed gap by -9.9 %, resistance by +8.9 %, judged");
 }
