@@ -79,7 +79,7 @@ static double on_axis(const struct contact_point *point, const struct axis *axis
     return axis->reciprocal ? axis->scale / value : axis->scale * value;
 }
 
-/** Is the i-th of so many points one that a line goes through? Of more than MOST so many, evenly, and both ends. */
+/** Is point i drawn? Of more than MOST, evenly spread ones and both ends. */
 static bool is_drawn(size_t i, size_t count)
 {
     enum { MOST = 400 };
@@ -172,7 +172,7 @@ static const char *baseline_colour(const struct source *source)
     return source->results->usable_count > 1 ? surface_look(source, k).colour : ink;
 }
 
-/** Loads as the user has them, or, behind the first page where the scene gives them no unit, as the thesis has them. */
+/** Loads in the user's unit; behind the first page, where the scene gives none, P/(A_n E') as in the thesis. */
 static struct asked_load load_of(const struct source *source, size_t surface, bool asked)
 {
     const struct results *results = source->results;
@@ -375,7 +375,7 @@ static void put_rows(struct chart *chart, const struct row *rows, size_t count)
     chart->panel_height = 42 + 26 * (double)count;
 }
 
-/** What is known of a surface, with the mark of how. */
+/** What is known of a surface; the mark says how. */
 static struct row surface_row(const struct source *source, size_t surface)
 {
     const struct asked *asked = &source->asked;
@@ -610,8 +610,8 @@ static void begin_panel(struct chart *chart, const struct source *source, enum q
                 !(quantity_rows[y].is & QUANTITY_LINEAR) && quantity_unit(y).offset == 0);
 }
 
-/** A model's curve of a surface in a panel of one quantity over another: a statistical separation adjusted, and thin as
- * it is; dotted what belongs beside it. */
+/** A model's curve in a panel of one quantity over another: a statistical gap adjusted and, thin, unadjusted; dotted,
+ * the quantity that is drawn beside it. */
 static void put_quantity(struct chart *chart, const struct source *source, const enum quantity of[2], size_t surface,
                          size_t m, struct chart_curve look)
 {
@@ -635,15 +635,15 @@ static void put_quantity(struct chart *chart, const struct source *source, const
         put_curve(chart, source, record, m, axis, look);
 }
 
-/** Is a panel left to the appendix: of a report's only surface, what the first page has drawn, and gap against area? */
+/** Does a panel go to the appendix? Of a single surface: what the first page shows already, and gap against area. */
 static bool is_more(const struct source *source, enum quantity quantity, const struct quantity_panel *panel)
 {
     return source->results->usable_count == 1 &&
            (panel->against != QUANTITY_LOAD || quantity == source->asked.quantity);
 }
 
-/** The baseline in every model, a panel a quantity: those of the contact, `whole`: but the appendix's; or the joint's,
- * of those its whole first. */
+/** The baseline in every model, a panel per quantity: of the contact, all but the appendix's (`whole`) or those; of the
+ * joint, its total (`whole`) or its parts. */
 static void put_baseline(struct chart *chart, const struct source *source, bool joint, bool whole)
 {
     for (int p = 0; p < 2 * QUANTITY_COUNT; p++) {

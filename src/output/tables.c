@@ -104,7 +104,7 @@ static void open_table(struct table *table, const struct text *header)
         table->problem = errno;
 }
 
-/** Writes the rows held, in turn; of a surface in vain they go. */
+/** Writes the rows held when it is their turn; in a run that has failed they are dropped. */
 static void write_rows(struct table *table)
 {
     struct table *whole = table->whole ? table->whole : table;
@@ -183,7 +183,7 @@ static void put_whose(struct table *table, const struct surface_summary *surface
     put_text(table, "model", model_rows[model]->name);
 }
 
-/** A row's cells that are a record: what is always in tables, and under the conditions `when`. */
+/** Cells of a record: the fields that are always in tables, and those under the conditions `when`. */
 static void put_fields(struct table *table, const struct record_field *fields, const void *of, unsigned when)
 {
     for (const struct record_field *field = fields; field->key; field++) {

@@ -102,7 +102,7 @@ static double place_of(const json_t *loads, double load, size_t *before)
     return NAN;
 }
 
-/** What a curve has there, straight in the logarithms; NaN: nothing. */
+/** A curve's value there, straight in the logarithms; NaN: none. */
 static double on_curve(const json_t *values, size_t before, double share)
 {
     double value = real(json_array_get(values, before)), next = real(json_array_get(values, before + 1));
@@ -450,7 +450,7 @@ static void give_back_loads(json_t *scene, double modulus_Pa)
     json_object_del(scene, "loads_over_AnEp");
 }
 
-/** How many values a results.json has, as LIMIT_RESULTS_VALUES counts them: of each, jansson makes 48 bytes or less. */
+/** How many values a results.json has, as LIMIT_RESULTS_VALUES counts them: jansson takes at most 48 bytes for one. */
 static size_t count_values(const struct text *json)
 {
     size_t count = json->length / 48;

@@ -54,7 +54,7 @@ void view_interval(json_t *out, const char *name, double low, double high, int d
  * value is not finite. */
 void view_range(json_t *out, const char *name, double least, double most);
 void view_uncertain(json_t *out, const char *name, double value, double error);
-/** The heads of the columns that a record's fields have in a table, those in data/ under the conditions `when`, and
+/** The heads of the columns that a record has in a table, of fields that are in data/ under the conditions `when`; and
  * the cells below. */
 void view_columns(json_t *heads, struct words *words, const struct record_field *fields, unsigned when);
 void view_cells(json_t *cells, const struct record_field *fields, unsigned when, const void *of);
@@ -82,7 +82,7 @@ void view_load(json_t *out, const char *name, const struct view_source *source, 
 const char *view_name(const struct view_source *source, size_t surface);
 const struct surface_summary *view_summary(const struct view_source *source, size_t surface);
 
-/** Names each surface that misses a limit, else each of which it is undecided or not known, a line each; returns how
+/** Adds a line for each surface that misses a limit, else for each of which it is undecided or not known; returns how
  * many. */
 size_t view_limits_of(struct text *out, const struct results *results, bool missed);
 

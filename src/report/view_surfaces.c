@@ -58,8 +58,8 @@ static void put_surface(json_t *row, const struct view_source *source, size_t su
     json_set(found, "amplitude_factor", pow(10, power_law_error_decades(law, wavelength_m)));
 }
 
-/** Takes what is to be said of a surface into a list of VIEW_ROWS at most, where what is the same of several stands
- * once, as the `body` of an item: with the first one's name, the others counted. */
+/** Adds what is to be said of a surface to a list of VIEW_ROWS at most. What is the same of several surfaces is one
+ * item, its `body`, with the first one's name and the number of others. */
 static void put_once(json_t *list, json_t *own, const char *surface)
 {
     json_t *item = view_alike(list, "body", own);

@@ -54,7 +54,7 @@ static double usual_scatter(const struct estimate *const *estimates, size_t coun
     return of >= 3 ? sqrt(sum / of) : 0;
 }
 
-/** No surface of one scan is held to scatter less than that. */
+/** With a surface of one scan raised to that scatter. */
 static struct estimate of_usual_scatter(const struct estimate *estimate, double least)
 {
     struct estimate out = *estimate;

@@ -15,8 +15,8 @@ struct comparison_pair {
 
 enum { COMPARISON_RANKED_MOST = 100 /* surfaces; a report ranks no more, and more have no groups */ };
 
-/** Which surface is better in the leading model at the middle load, by ln of the criterion. Surfaces of which nothing
- * is known of how far another scan would be off are not tested, and have no place. */
+/** The surfaces ranked by the criterion in the leading model at the middle load, and tests of its logarithm. A surface
+ * whose scatter is unknown has no place. */
 struct comparison {
     enum quantity criterion; /* ECR, else TCR, else area */
     size_t count;            /* places; 0 where there are more than COMPARISON_RANKED_MOST surfaces with an answer */
