@@ -5,8 +5,8 @@
 #include "base/number_format.h"
 #include "base/unit.h"
 #include "chart/chart.h"
-#include "chart/map_picture.h"
 #include "joint/heating.h"
+#include "output/record.h"
 #include "results/accuracy.h"
 #include "results/asked.h"
 #include "results/comparison.h"
@@ -898,6 +898,48 @@ static void draw_one(struct figures *out, struct chart *chart, bool terminal, co
     text_free(&letters);
 }
 
+void figures_map_name(char *out, size_t size, const char *surface)
+{
+    static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-";
+    snprintf(out, size, "map-%s", surface);
+    for (char *c = out; *c; c++)
+        if (!strchr(letters, *c))
+            *c = '-';
+}
+
+/** Writes NAME.csv and NAME.gp of a map's heights with its contact, and of the pressure along a section. */
+static enum status_code write_map(const struct map_contact *contact, const struct material_pair *pair, const char *name,
+                                  const char *title, struct mustache_folder *templates, const char *directory)
+{
+    const size_t cells = contact->cells;
+    const double side_m = (double)cells * contact->cell_m;
+    const bool small = side_m < 1e-3; /* lengths from 1 mm on are in mm */
+    const bool flows = contact->flowed > 0;
+    const double length = small ? 1e6 : 1e3, stress = pair->unknown ? 1 : pair->effective_modulus_Pa * 1e-6;
+    struct text script = {0}, data = {0};
+    for (int block = 0; block < 2; block++, text_add(&data, "\n\n"))
+        for (size_t k = 0; k < cells * cells; k++)
+            text_add(&data, block == 0 ? "%.3g%s" : "%.0f%s",
+                     block == 0 ? contact->height_m[k] * 1e6 : (double)contact->is[k], (k + 1) % cells ? "," : "\n");
+    for (size_t i = 0; i < contact->points; i++)
+        text_add(&data, "%.6g,%.6g\n", (double)i * contact->spacing_m * length, contact->pressure[i] * stress);
+    json_t *view = json_pack("{ss so ss sf sf sf sb sb}", "name", name, "title", json_shown(title), "length_unit",
+                             small ? "µm" : "mm", "cell", contact->cell_m * length, "side", side_m * length, "section",
+                             contact->section_m * length, "has_material", !pair->unknown, "flows", flows);
+    if (view && flows)
+        json_set(view, "hardness", pair->hardness_Pa / pair->effective_modulus_Pa * stress);
+    enum status_code rc =
+        view ? mustache_file(&script, templates, "charts/map", view, chart_escape) : status_memory(templates->status);
+    if (rc == STATUS_OK)
+        rc = text_save(&script, templates->status, "%s/%s.gp", directory, name);
+    if (rc == STATUS_OK)
+        rc = text_save(&data, templates->status, "%s/%s.csv", directory, name);
+    json_decref(view);
+    text_free(&script);
+    text_free(&data);
+    return rc;
+}
+
 /** The contact of the first maps that are shown, as many as a page can hold: map-NAME, what may be in a file's name of
  * it, and a number where another one has that too. */
 static void draw_maps(struct figures *out, const struct source *source, const struct drawing *how)
@@ -912,15 +954,15 @@ static void draw_maps(struct figures *out, const struct source *source, const st
         if (record->contact.cells == 0)
             continue;
         maps++;
-        map_picture_name(name, FIGURE_NAME, record->summary.scene->name);
+        figures_map_name(name, FIGURE_NAME, record->summary.scene->name);
         for (size_t f = 0; f < out->count; f++)
             if (strcmp(out->figure[f].name, name) == 0)
                 snprintf(name, FIGURE_NAME, "map-%zu", maps);
         text_add(&at, "%s: ", record->summary.scene->name);
         number_format(&at, load.scale * results_operating_load(results, surface), 3);
         text_add(&at, " %s", load.unit);
-        if (map_picture_write(&record->contact, &record->summary.pair, name, text_string(&at), how->templates,
-                              how->directory) == STATUS_OK)
+        if (write_map(&record->contact, &record->summary.pair, name, text_string(&at), how->templates,
+                      how->directory) == STATUS_OK)
             draw_file(how, name);
         out->figure[out->count++].map = surface + 1;
         text_free(&at);

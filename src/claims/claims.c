@@ -48,7 +48,7 @@ enum claim_about { ABOUT_BASELINE, ABOUT_SURFACES, ABOUT_TARGETS, ABOUT_LIMITS }
 /** A claim. `when` says whether it is made, fills in its numbers and may choose another key. */
 struct claim_row {
     const char *key;
-    enum claim_level level;
+    const char *level;
     bool (*when)(struct claims *c);
     enum claim_about about;
     bool melts;         /* heated() */
@@ -825,43 +825,40 @@ static bool needs(struct claims *c)
 
 /* ---- The table ---- */
 
-static const char *const levels[] = {[CLAIM_STOP] = "stop",
-                                     [CLAIM_VERDICT] = "verdict",
-                                     [CLAIM_UNCERTAINTY] = "uncertainty",
-                                     [CLAIM_CONTEXT] = "context"};
+static const char stop[] = "stop", verdict[] = "verdict", unsure[] = "uncertainty", context[] = "context";
 
 static const struct claim_row rows[] = {
-    {"refused", CLAIM_STOP, .when = refused},
-    {"beyond-hardness", CLAIM_STOP, beyond_hardness, .about = ABOUT_SURFACES},
-    {"few-spots", CLAIM_STOP, .when = few_spots},
-    {"softens", CLAIM_STOP, heated, .about = ABOUT_SURFACES},
-    {"melts", CLAIM_STOP, heated, .about = ABOUT_SURFACES, .melts = true},
-    {"bond-line", CLAIM_STOP, bond_line, .about = ABOUT_SURFACES},
-    {"bond-line-missing", CLAIM_STOP, .when = bond_line_missing},
-    {"loads-short", CLAIM_STOP, loads_short, .about = ABOUT_SURFACES},
-    {"measured", CLAIM_VERDICT, measured, .about = ABOUT_SURFACES},
-    {"not-flat", CLAIM_VERDICT, not_flat, .about = ABOUT_SURFACES},
-    {"rank", CLAIM_VERDICT, .when = rank},
-    {"area-pressed", CLAIM_VERDICT, .when = area_pressed},
-    {"target", CLAIM_VERDICT, further_target, .about = ABOUT_TARGETS},
-    {"limit", CLAIM_VERDICT, further_limit, .about = ABOUT_LIMITS},
-    {"scans-to-decide", CLAIM_VERDICT, .when = scans_to_decide},
-    {"uncertainty", CLAIM_UNCERTAINTY, .when = uncertainty},
-    {"not-flat-assumed", CLAIM_UNCERTAINTY, .when = not_flat_assumed},
-    {"one-direction", CLAIM_UNCERTAINTY, .when = one_direction},
-    {"short-scans", CLAIM_UNCERTAINTY, .when = short_scans},
-    {"direct", CLAIM_CONTEXT, .when = direct},
-    {"textbook", CLAIM_CONTEXT, .when = textbook},
-    {"by-roughness", CLAIM_CONTEXT, .when = by_roughness},
-    {"shares-gap", CLAIM_CONTEXT, share, .effect = EFFECT_GAP, .unit = "%"},
-    {"shares-film", CLAIM_CONTEXT, share, .effect = EFFECT_FILM, .unit = "%"},
-    {"shares-plating", CLAIM_CONTEXT, share, .effect = EFFECT_PLATING, .unit = ""},
-    {"shares-shape", CLAIM_CONTEXT, share, .effect = EFFECT_SHAPE, .unit = "mm²"},
-    {"heating", CLAIM_CONTEXT, share, .effect = EFFECT_HEATING, .unit = "K"},
-    {"chosen", CLAIM_CONTEXT, .when = chosen},
-    {"hardness", CLAIM_CONTEXT, .when = hardness},
-    {"duplicates", CLAIM_CONTEXT, .when = duplicates},
-    {"needs", CLAIM_CONTEXT, .when = needs},
+    {"refused", stop, .when = refused},
+    {"beyond-hardness", stop, beyond_hardness, .about = ABOUT_SURFACES},
+    {"few-spots", stop, .when = few_spots},
+    {"softens", stop, heated, .about = ABOUT_SURFACES},
+    {"melts", stop, heated, .about = ABOUT_SURFACES, .melts = true},
+    {"bond-line", stop, bond_line, .about = ABOUT_SURFACES},
+    {"bond-line-missing", stop, .when = bond_line_missing},
+    {"loads-short", stop, loads_short, .about = ABOUT_SURFACES},
+    {"measured", verdict, measured, .about = ABOUT_SURFACES},
+    {"not-flat", verdict, not_flat, .about = ABOUT_SURFACES},
+    {"rank", verdict, .when = rank},
+    {"area-pressed", verdict, .when = area_pressed},
+    {"target", verdict, further_target, .about = ABOUT_TARGETS},
+    {"limit", verdict, further_limit, .about = ABOUT_LIMITS},
+    {"scans-to-decide", verdict, .when = scans_to_decide},
+    {"uncertainty", unsure, .when = uncertainty},
+    {"not-flat-assumed", unsure, .when = not_flat_assumed},
+    {"one-direction", unsure, .when = one_direction},
+    {"short-scans", unsure, .when = short_scans},
+    {"direct", context, .when = direct},
+    {"textbook", context, .when = textbook},
+    {"by-roughness", context, .when = by_roughness},
+    {"shares-gap", context, share, .effect = EFFECT_GAP, .unit = "%"},
+    {"shares-film", context, share, .effect = EFFECT_FILM, .unit = "%"},
+    {"shares-plating", context, share, .effect = EFFECT_PLATING, .unit = ""},
+    {"shares-shape", context, share, .effect = EFFECT_SHAPE, .unit = "mm²"},
+    {"heating", context, share, .effect = EFFECT_HEATING, .unit = "K"},
+    {"chosen", context, .when = chosen},
+    {"hardness", context, .when = hardness},
+    {"duplicates", context, .when = duplicates},
+    {"needs", context, .when = needs},
 };
 enum { ROWS = sizeof rows / sizeof *rows };
 
@@ -921,9 +918,9 @@ static void insert(json_t *list, double *weights, const struct claims *c, size_t
     memmove(weights + at + 1, weights + at, (count - at) * sizeof *weights);
     weights[at] = c->weight;
     json_array_insert_new(list, at,
-                          json_pack("{s:s, s:s, s:O?, s:O, s:s, s:s}", "key", c->key, "level", levels[c->row->level],
-                                    "surface", c->surface, "numbers", c->numbers, "text", text_string(&c->text),
-                                    "markdown", text_string(&c->markdown)));
+                          json_pack("{s:s, s:s, s:O?, s:O, s:s, s:s}", "key", c->key, "level", c->row->level, "surface",
+                                    c->surface, "numbers", c->numbers, "text", text_string(&c->text), "markdown",
+                                    text_string(&c->markdown)));
 }
 
 enum status_code claims_make(json_t **out, const struct results *results, const struct comparison *comparison,

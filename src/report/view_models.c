@@ -104,12 +104,7 @@ static bool adjusts(const struct view_source *source, size_t m)
 static void put_all_surfaces(json_t *out, const struct view_source *source)
 {
     const struct results *results = source->results;
-    bool betas = false;
-    for (size_t m = 0; m < model_count; m++)
-        betas = betas || adjusts(source, m);
-    if (results->usable_count < 2 && !betas)
-        return;
-    json_t *item = view_part(out, "all_surfaces"), *heads = view_list(item, "heads"), *rows = view_list(item, "rows");
+    json_t *item = json_object(), *heads = view_list(item, "heads"), *rows = view_list(item, "rows");
     for (size_t m = 0; m < model_count; m++)
         if (adjusts(source, m)) {
             json_t *head = view_item(heads);
@@ -117,6 +112,7 @@ static void put_all_surfaces(json_t *out, const struct view_source *source)
             if (model_rows[m]->counterpart)
                 view_text(head, "beside", model_rows[m]->counterpart->label);
         }
+    const bool betas = json_array_size(heads) > 0;
     for (size_t i = 0; i < results->surface_count && betas; i++) {
         if (!results->surfaces[i].summary.usable || json_array_size(rows) >= VIEW_ROWS)
             continue;
@@ -134,6 +130,9 @@ static void put_all_surfaces(json_t *out, const struct view_source *source)
     view_flag(item, "has_betas", betas);
     view_count(item, "shown", results->shown_count);
     view_flag(item, "some_shown", results->shown_count < results->usable_count);
+    if (results->usable_count > 1 || betas)
+        json_object_set(out, "all_surfaces", item);
+    json_decref(item);
 }
 
 /** Does the area of the sweeps settle, and that of the surfaces? */
