@@ -42,7 +42,8 @@ struct comparison_pair comparison_of_two(const struct estimate *a, const struct 
 }
 
 /** The scatter that surfaces of one scan have on average, where there are some: three or more. One scan's own comes
- * from few degrees of freedom, and among many surfaces some is far too small by chance. */
+ * from few degrees of freedom, and among many surfaces some is far too small by chance: none is held to scatter less.
+ */
 static double usual_scatter(const struct estimate *const *estimates, size_t count)
 {
     double sum = 0, of = 0;
@@ -52,15 +53,6 @@ static double usual_scatter(const struct estimate *const *estimates, size_t coun
             of++;
         }
     return of >= 3 ? sqrt(sum / of) : 0;
-}
-
-/** With a surface of one scan raised to that scatter. */
-static struct estimate of_usual_scatter(const struct estimate *estimate, double least)
-{
-    struct estimate out = *estimate;
-    if (out.count == 1 && out.s > 0)
-        out.s = fmax(out.s, least);
-    return out;
 }
 
 enum status_code comparison_test(struct comparison *ranking, const struct estimate *const *estimates,
@@ -75,9 +67,10 @@ enum status_code comparison_test(struct comparison *ranking, const struct estima
     for (size_t i = 0; i < count && rc == STATUS_OK; i++)
         for (size_t j = i + 1; j < count; j++) {
             size_t k = ranking_pair(i, j, count);
-            const struct estimate one = of_usual_scatter(estimates[i], least),
-                                  other = of_usual_scatter(estimates[j], least);
-            ranking->pairs[k] = comparison_of_two(&one, &other);
+            struct estimate two[] = {*estimates[i], *estimates[j]};
+            for (int t = 0; t < 2; t++)
+                two[t].s = two[t].count == 1 && two[t].s > 0 ? fmax(two[t].s, least) : two[t].s;
+            ranking->pairs[k] = comparison_of_two(&two[0], &two[1]);
             p[k] = ranking->pairs[k].p;
         }
     if (rc == STATUS_OK)

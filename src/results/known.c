@@ -37,17 +37,12 @@ struct known known_value(const struct results *results, enum quantity quantity, 
     const double carried = known_carried(results, quantity, surface),
                  model = comparison_middle(results, leading, surface).value[quantity];
     const struct estimate *estimate = results_estimate(results, surface, quantity);
-    struct known out = {isfinite(model) ? KNOWN_VALUE : KNOWN_NOTHING,
-                        model,
-                        estimate_end(estimate, 0),
-                        estimate_end(estimate, 1),
-                        carried != 1,
-                        false};
+    struct known out = {isfinite(model) ? KNOWN_VALUE : KNOWN_NOTHING, model, estimate_end(estimate, 0),
+                        estimate_end(estimate, 1), .measured = carried != 1};
     for (int side = 0; side < 2 && !out.measured; side++)
-        if (estimate->bound[side] > 0 && (side ? model > estimate->bound[1] : model < estimate->bound[0])) {
-            out = (struct known){side ? KNOWN_AT_MOST : KNOWN_MORE_THAN, estimate->bound[side], NAN, NAN, false, false};
-            return out;
-        }
+        if (estimate->bound[side] > 0 && (side ? model > estimate->bound[1] : model < estimate->bound[0]))
+            return (struct known){
+                side ? KNOWN_AT_MOST : KNOWN_MORE_THAN, estimate->bound[side], NAN, NAN, false, false};
     if (!out.measured)
         return out;
     const struct estimate *fit = &results->answers[surface].fit;
