@@ -226,7 +226,7 @@ static bool family_apart(const struct directory *place)
 {
     struct analysis analysis;
     struct status status = {0};
-    struct comparison_ranking ranking = {.count = MEMBERS};
+    struct comparison ranking = {.count = MEMBERS};
     const struct estimate *estimates[MEMBERS];
     bool apart = false;
     analyse(&analysis, place);
@@ -236,7 +236,7 @@ static bool family_apart(const struct directory *place)
     coverage_must(comparison_test(&ranking, estimates, &status), &status);
     for (size_t k = 0; k < MEMBERS * (MEMBERS - 1) / 2; k++)
         apart = apart || comparison_told_apart(&ranking.pairs[k]);
-    comparison_ranking_free(&ranking);
+    comparison_free(&ranking);
     end_analysis(&analysis);
     return apart;
 }
