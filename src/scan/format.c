@@ -65,8 +65,9 @@ const struct format format_rows[] = {
     {"npl-prf", FORMAT_SCAN, scan_npl_prf_read, .sniff = scan_npl_prf_sniff},
     {"smd", FORMAT_SCAN, scan_smd_read, .sniff = scan_smd_sniff},
     {"nist-xml", FORMAT_SCAN, scan_nist_xml_read, .sniff = scan_nist_xml_sniff},
-    {"wyko", FORMAT_SCAN, scan_wyko_read, .sniff = scan_wyko_sniff},
-    {"zygo", FORMAT_SCAN, scan_zygo_read, .sniff = scan_zygo_sniff},
+    {"wyko", FORMAT_SCAN, scan_wyko_read, MAGIC("Wyko ASCII Data File Format")},
+    {"zygo", FORMAT_SCAN, scan_zygo_read, MAGIC("Zygo ASCII Data File")},
+    {"zygo", FORMAT_SCAN, scan_zygo_read, MAGIC("Zygo XYZ Data File")},
     /* instruments */
     {"Wyko OPD file", FORMAT_FOREIGN, MAGIC("\1\0Directory")},
     {"Dektak or Bruker OPDx file", FORMAT_FOREIGN, MAGIC("VCA DATA\1\0\0\x55")},

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* ISO 25178-71 SDF and its forerunners: magic 'a' (text) or 'b' (binary) and a version. Scales are metres per step, and
- * metres per unit of height. Text: `Key = value` lines, `*`, heights, `*`, a trailer. Binary: 81 bytes, heights. */
+/* ISO 25178-71 SDF and its predecessors: 'a' (text) or 'b' (binary) and a version. Scales are metres per step and per
+ * unit of height. Text: `Key = value` lines, `*`, heights, `*`, a trailer. Binary: a header of 81 bytes, heights. */
 #include "scan/reader.h"
 #include "scan/string_view.h"
 
@@ -66,19 +66,13 @@ static enum status_code read_text(struct scan *out, const struct scan_file *file
         return file->status->code;
     out->nx = header.nx;
     out->ny = header.ny;
-    return scan_take_text(out, (struct string_view){lines.next, lines.end}, header.z_scale, "*", file);
-}
-
-/* The value that marks a missing point: the largest unsigned, the smallest signed 16 or 32-bit integer; NaN (which is
- * missing anyway) for the other types. */
-static double missing_mark(size_t type)
-{
-    static const double marks[BYTES_COUNT] = {NAN, UINT16_MAX, UINT32_MAX, NAN, NAN, INT16_MIN, INT32_MIN, NAN};
-    return marks[type];
+    return scan_take_text(out, (struct string_view){lines.next, lines.end}, header.z_scale, INFINITY, "*", file);
 }
 
 static enum status_code read_binary(struct scan *out, const struct scan_file *file)
 {
+    /* of each type the value that marks a missing point, which NaN always is */
+    static const double missing[BYTES_COUNT] = {NAN, UINT16_MAX, UINT32_MAX, NAN, NAN, INT16_MIN, INT32_MIN, NAN};
     struct bytes bytes = bytes_begin(file, 8 + 10 + 12 + 12); /* version, maker, two dates */
     struct sdf_header header = {0};
     header.nx = (size_t)bytes_number(&bytes, BYTES_U16);
@@ -102,10 +96,9 @@ static enum status_code read_binary(struct scan *out, const struct scan_file *fi
     size_t points = header.nx * header.ny;
     if (bytes_left(&bytes) == points * bytes_size(type) + SDF_OLYMPUS_EXTRA)
         bytes_skip(&bytes, SDF_OLYMPUS_EXTRA);
-    double mark = missing_mark(header.type);
     for (size_t i = 0; i < points; i++) {
         double value = bytes_number(&bytes, type);
-        out->z_m[i] = value == mark ? NAN : value * header.z_scale;
+        out->z_m[i] = value == missing[type] ? NAN : value * header.z_scale;
     }
     return STATUS_OK;
 }

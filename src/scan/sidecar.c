@@ -12,7 +12,7 @@
 static const char *const endings[] = {".json", ".txt", ".hdr"};
 static const off_t most_bytes = 65536;
 
-/* What DABAM writes as FILE_FORMAT: what column 2 is, and whether each y has its own x before it. */
+/* DABAM's FILE_FORMAT: what column 2 is, and whether each y has its own x before it. */
 enum { DABAM_SLOPES = 1, DABAM_HEIGHTS, DABAM_SLOPES_IN_PAIRS, DABAM_HEIGHTS_IN_PAIRS };
 
 #define COUNT(array) (sizeof(array) / sizeof *(array))
@@ -28,7 +28,7 @@ bool sidecar_ending(const char *name, size_t *length)
     return false;
 }
 
-/* A number of the JSON object, which may be written as a string; 0 when there is none. */
+/* A number, which may be written as a string; 0 where there is none. */
 static double dabam_number(const json_t *object, const char *key)
 {
     const json_t *value = json_object_get(object, key);
@@ -38,7 +38,7 @@ static double dabam_number(const json_t *object, const char *key)
     return number;
 }
 
-/* By a key such as Y2_FACTOR. */
+/* The number at a key such as Y2_FACTOR. */
 static double dabam_factor(const json_t *object, char axis, size_t index)
 {
     char key[32];
@@ -46,7 +46,7 @@ static double dabam_factor(const json_t *object, char axis, size_t index)
     return dabam_number(object, key);
 }
 
-/* The unit of y number `index`, by FILE_FORMAT the first, by its title any other; NULL: not said. */
+/* The unit of y number `index`: of the first by FILE_FORMAT, of any other by its title; NULL: not said. */
 static const char *dabam_unit(const json_t *object, size_t index, double format)
 {
     char key[32];
