@@ -20,6 +20,14 @@ static inline void put_bytes(struct text *text, uint64_t value, size_t count)
     }
 }
 
+/* Values, each with its number of bytes: PUT(&text, {1, 2}, {7, 4}). */
+#define PUT(text, ...)                                                                                                 \
+    do {                                                                                                               \
+        const uint64_t fields[][2] = {__VA_ARGS__};                                                                    \
+        for (size_t field = 0; field < sizeof fields / sizeof *fields; field++)                                        \
+            put_bytes(text, fields[field][0], fields[field][1]);                                                       \
+    } while (0)
+
 static inline void put_f32(struct text *text, double value)
 {
     float single = (float)value;

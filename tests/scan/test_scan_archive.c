@@ -205,22 +205,8 @@ static struct text zip64_of(const struct packed *member)
     const unsigned char *end = (const unsigned char *)text.data + text.length - END;
     size_t start = end[START] + 256u * end[START + 1], at = text.length - END;
     text.length = at;
-    put_bytes(&text, 0x06064b50, 4);
-    put_bytes(&text, 44, 8);
-    put_bytes(&text, 0, 12);
-    put_bytes(&text, 1, 8);
-    put_bytes(&text, 1, 8);
-    put_bytes(&text, at - start, 8);
-    put_bytes(&text, start, 8);
-    put_bytes(&text, 0x07064b50, 4);
-    put_bytes(&text, 0, 4);
-    put_bytes(&text, at, 8);
-    put_bytes(&text, 1, 4);
-    put_bytes(&text, 0x06054b50, 4);
-    put_bytes(&text, 0, 4);
-    put_bytes(&text, UINT32_MAX, 4);
-    put_bytes(&text, UINT64_MAX, 8);
-    put_bytes(&text, 0, 2);
+    PUT(&text, {0x06064b50, 4}, {44, 8}, {0, 12}, {1, 8}, {1, 8}, {at - start, 8}, {start, 8}, {0x07064b50, 4}, {0, 4},
+        {at, 8}, {1, 4}, {0x06054b50, 4}, {0, 4}, {UINT32_MAX, 4}, {UINT64_MAX, 8}, {0, 2});
     return text;
 }
 
