@@ -316,13 +316,13 @@ TEST_CASE(test_refusals)
 TEST_CASE(test_missing_units)
 {
     const char *text = "0,1\n1,2\n2,3\n";
-    assert_refused_bytes(text, strlen(text), &no_units, "add `x_unit: mm` and `z_unit: um`");
-    assert_refused_bytes(text, strlen(text), &no_units, "--x-unit mm --z-unit um");
+    refuse_with(text, &no_units, "add `x_unit: mm` and `z_unit: um`");
+    refuse_with(text, &no_units, "--x-unit mm --z-unit um");
     struct scan_options x_only = {.x_unit = "mm", .z_unit = ""}, z_only = {.z_unit = "um"},
                         wrong = {.x_unit = "mm", .z_unit = "volt"};
-    assert_refused_bytes(text, strlen(text), &x_only, "no unit for z; add `z_unit: um`");
-    assert_refused_bytes(text, strlen(text), &z_only, "no unit for x; add `x_unit: mm`");
-    assert_refused_bytes(text, strlen(text), &wrong, "is no unit of length; give z_unit");
+    refuse_with(text, &x_only, "no unit for z; add `z_unit: um`");
+    refuse_with(text, &z_only, "no unit for x; add `x_unit: mm`");
+    refuse_with(text, &wrong, "is no unit of length; give z_unit");
     /* a unit that is none of length is named, where it is what lacks; longer words in brackets are no units */
     static const struct {
         const char *title, *refused;
@@ -336,14 +336,9 @@ TEST_CASE(test_missing_units)
         {"x [km],z [px]", "file: unknown unit 'km', no unit for x nor for z; add"},
         {"x (position),z [um]", "file: no unit for x; add"},
     };
-    for (size_t i = 0; i < sizeof titles / sizeof *titles; i++) {
-        char whole[80];
-        snprintf(whole, sizeof whole, "%s\n%s", titles[i].title, text);
-        assert_refused_bytes(whole, strlen(whole), &no_units, titles[i].refused);
-    }
-    struct scan scan;
-    const char *given = "x [km],z [um]\n0,1\n1,2\n2,3\n";
-    expect_ok(read_bytes, &scan, given, strlen(given), &x_only); /* the scene knows better */
+    for (size_t i = 0; i < sizeof titles / sizeof *titles; i++)
+        refuse_with(filled("%s\n%s", titles[i].title, text), &no_units, titles[i].refused);
+    struct scan scan = read_with("x [km],z [um]\n0,1\n1,2\n2,3\n", &x_only); /* the scene knows better */
     assert_string_equal(scan.x_unit, "mm");
     scan_free(&scan);
 }
@@ -489,10 +484,7 @@ TEST_CASE(test_columns_that_are_no_scan)
     static const char timed[] = "time,x_mm,z_um\n2024-03-01 10:11:00,0,0.5\n2024-03-01 10:11:01,1,-1.25\n"
                                 "2024-03-01 10:11:02,2,2.75\n2024-03-01 10:11:03,3,0.125\n";
     assert_refused(timed, "column 1 holds text; choose the columns of x and z, as with `--column 2,3`");
-    struct scan scan;
-    struct status status = {0};
-    const struct scan_options chosen = {.x_column = 2, .z_column = 3};
-    assert_int_equal(read_bytes(&scan, timed, strlen(timed), &chosen, &status), STATUS_OK);
+    struct scan scan = read_with(timed, &(struct scan_options){.x_column = 2, .z_column = 3});
     assert_int_equal(scan.nx, 4);
     assert_near(scan.z_m[2], 2.75e-6, 1e-12);
     assert_near(scan.dx_m, 1e-3, 1e-12);

@@ -69,10 +69,10 @@ TEST_CASE(test_headers)
                   1e-12);
         scan_free(&scan);
         if (!rows[i].x_unit || !rows[i].z_unit)
-            assert_refused_bytes(rows[i].text, strlen(rows[i].text), &no_units,
-                                 rows[i].x_unit   ? "no unit for z; add `z_unit: um`"
-                                 : rows[i].z_unit ? "no unit for x; add `x_unit: mm`"
-                                                  : "no unit for x nor for z");
+            refuse_with(rows[i].text, &no_units,
+                        rows[i].x_unit   ? "no unit for z; add `z_unit: um`"
+                        : rows[i].z_unit ? "no unit for x; add `x_unit: mm`"
+                                         : "no unit for x nor for z");
     }
     struct scan scan = read_good("unit: um\n" COMMA, "", "");
     assert_string_equal(scan.warnings[0], "the file names one unit for x and z alike, um");
@@ -81,21 +81,6 @@ TEST_CASE(test_headers)
     assert_near(scan.dx_m, 1e-3, 1e-12);
     assert_near(scan.dy_m, 1e-6, 1e-12);
     scan_free(&scan);
-}
-
-static struct scan read_with(const char *text, const struct scan_options *options)
-{
-    struct scan scan;
-    struct status status = {0};
-    if (read_bytes(&scan, text, strlen(text), options, &status) != STATUS_OK)
-        fail_msg("'%s' refused: %s", text, status.message);
-    assert_sound(&scan);
-    return scan;
-}
-
-static void refuse_with(const char *text, const struct scan_options *options, const char *expected)
-{
-    assert_refused_bytes(text, strlen(text), options, expected);
 }
 
 /* A slope is told by its unit or its title, whatever the scene says; heights beside it may be chosen. */
