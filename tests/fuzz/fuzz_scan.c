@@ -4,36 +4,7 @@
 #include "scan/format.h"
 #include "scan/zip_support.h"
 
-enum { FORMATS = 32, MOST_PARTS = 8, MOST_MEMBERS = 16, MOST_NAME = 1024 };
-
-static struct {
-    const char *format;
-    size_t runs, scans; /* those that were a scan */
-} counts[FORMATS];
-
-static void count_run(const char *format, bool scan)
-{
-    size_t i = 0;
-    while (i < FORMATS - 1 && counts[i].format && strcmp(counts[i].format, format) != 0)
-        i++;
-    counts[i].format = format;
-    counts[i].runs++;
-    counts[i].scans += scan;
-}
-
-size_t fuzz_scan_good(const char *format)
-{
-    size_t i = 0;
-    while (i < FORMATS && counts[i].format && strcmp(counts[i].format, format) != 0)
-        i++;
-    return i < FORMATS && counts[i].format ? counts[i].scans : 0;
-}
-
-void fuzz_scan_counts(void)
-{
-    for (size_t i = 0; i < FORMATS && counts[i].format; i++)
-        fprintf(stderr, "runs of %-9s %9zu, scans %9zu\n", counts[i].format, counts[i].runs, counts[i].scans);
-}
+enum { MOST_PARTS = 8, MOST_MEMBERS = 16, MOST_NAME = 1024 };
 
 /* What scan.h promises of a scan. */
 static void require_sound(const struct scan *scan)
@@ -127,6 +98,6 @@ void fuzz_scan(const uint8_t *bytes, size_t length)
         FUZZ_REQUIRE(options.entry == 0 || options.entry > entry); /* an archive has an end */
         scan_free(&scan);
     } while (options.entry > 0 && ++parts < MOST_PARTS);
-    count_run(format ? format : "none", any);
+    fuzz_count(format ? format : "none", any);
     free(copy);
 }
