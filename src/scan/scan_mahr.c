@@ -8,8 +8,8 @@
 #include <math.h>
 #include <string.h>
 
-static const double mahr_unit_m = 1e-3; /* of both */
-enum { MAHR_SHORTEST = 6 };             /* bytes of the shortest line of a point, `0=1 2` and its end */
+static const double mahr_unit_m = 1e-3;       /* of both */
+enum { MAHR_FIELDS = 64, MAHR_SHORTEST = 6 }; /* most fields; bytes of the shortest line of a point, `0=1 2` */
 
 /* How many fields a point has (0: not known yet), and which are x and z, from 0. */
 struct fields {
@@ -41,23 +41,13 @@ static bool read_length(struct string_view word, double *length_m)
 static bool read_point(struct string_view line, struct fields *fields, double *x, double *z)
 {
     const char *equals = memchr(line.start, '=', string_view_length(line));
-    if (!equals)
-        return false;
-    struct string_view rest = {equals + 1, line.end}, word;
+    struct string_view rest = {equals ? equals + 1 : line.end, line.end}, word[MAHR_FIELDS];
     size_t count = 0;
-    while (scan_word(&rest, &word))
+    while (count < MAHR_FIELDS && scan_word(&rest, &word[count]))
         count++;
-    if (fields->count == 0)
+    if (fields->count == 0 && equals)
         *fields = (struct fields){count, 0, count > 3 ? 2 : 1};
-    rest.start = equals + 1;
-    bool good = count == fields->count && count > 1;
-    for (size_t i = 0; good && scan_word(&rest, &word); i++) {
-        double length_m;
-        good = read_length(word, &length_m) || (i != fields->x && i != fields->z);
-        *x = i == fields->x ? length_m : *x;
-        *z = i == fields->z ? length_m : *z;
-    }
-    return good;
+    return count == fields->count && count > 1 && read_length(word[fields->x], x) && read_length(word[fields->z], z);
 }
 
 /* Reads the points up to the next section. */

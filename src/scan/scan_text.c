@@ -278,11 +278,11 @@ static enum status_code read_rows(struct table *table, struct lines lines)
 static bool is_damaged_row(const struct table *table, struct string_view line, struct row *row)
 {
     struct string_view rest = line, cell;
-    size_t cells = 0;
+    size_t cells = 1;
     double value;
     if (table->delimiter == ' ' || !cell_next(&rest, table->delimiter, &cell) || !number_read(cell, &value))
         return false;
-    for (rest = line; cell_next(&rest, table->delimiter, &cell);)
+    while (cell_next(&rest, table->delimiter, &cell))
         cells++;
     return cells == table->columns && table->columns > 1 && !read_row(row, line, table->delimiter);
 }
@@ -301,21 +301,19 @@ static bool is_too_deep(struct string_view text, struct string_view line)
     return (size_t)(line.start - text.start) > limit_most(LIMIT_HEADER_BYTES);
 }
 
-/* Has a line a column of text and two of numbers? *text, *first and *second are these columns, from 1. */
-static bool has_text_and_numbers(struct string_view line, size_t *text, size_t *first, size_t *second)
+/* Has a line a column of text and two of numbers? `found` are these columns, from 1. */
+static bool has_text_and_numbers(size_t found[3], struct string_view line)
 {
     static const char delimiters[] = "\t;,";
     for (size_t d = 0; delimiters[d]; d++) {
         struct string_view rest = line, cell;
-        size_t at = 0;
-        *text = *first = *second = 0;
-        while (cell_next(&rest, delimiters[d], &cell)) {
-            double value;
-            const bool number = number_read(cell, &value);
-            at++;
-            *(number ? *first == 0 ? first : *second == 0 ? second : &at : *text == 0 ? text : &at) = at;
+        double value;
+        found[0] = found[1] = found[2] = 0;
+        for (size_t column = 1; cell_next(&rest, delimiters[d], &cell); column++) {
+            size_t k = !number_read(cell, &value) ? 0 : found[1] == 0 ? 1 : 2;
+            found[k] = found[k] == 0 ? column : found[k];
         }
-        if (*text > 0 && *second > 0)
+        if (found[0] > 0 && found[2] > 0)
             return true;
     }
     return false;
@@ -364,12 +362,12 @@ static enum status_code read_table(struct table *table)
                              announced, table->rows);
         return table->file->status->code;
     }
-    size_t text = 0, first = 0, second = 0;
-    if (above.start && has_text_and_numbers(above, &text, &first, &second))
+    size_t found[3]; /* text, x, z */
+    if (above.start && has_text_and_numbers(found, above))
         return scan_fail(table->file, above_line,
                          "column %zu holds text; choose the columns of x and z, as with `--column %zu,%zu` or `column: "
                          "[%zu, %zu]` in a scene",
-                         text, first, second, first, second);
+                         found[0], found[1], found[2], found[1], found[2]);
     return scan_fail(table->file, 0, "no line of numbers in it: not a scan");
 }
 
