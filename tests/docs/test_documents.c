@@ -31,7 +31,7 @@ static bool is_word_char(char c)
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
 }
 
-/** The next place at or behind `at`, before `end` (NULL: the text's), of `word` as a whole word. */
+/** Where `word` stands next as a whole word, from `at` to `end` (NULL: the end of the text). */
 static const char *find_word(const char *at, const char *end, const char *word)
 {
     size_t length = strlen(word);
@@ -98,7 +98,7 @@ static void row_numbers(const char *text, const char *at, bool there[EQUATIONS +
     }
 }
 
-/** The file has the name, and it or its header the numbers of the row at `at`. */
+/** Does the file define the name, and have it or its header the equation numbers of the row at `at`? */
 static void check_place(const char *text, const char *at, const char *name, const char *path)
 {
     bool there[EQUATIONS + 1], starred[EQUATIONS + 1];
@@ -298,7 +298,7 @@ static bool takes_comments(const char *name)
     return takes;
 }
 
-/** Every file says under which licence it is, at its beginning. What tests read is data, as outside files are. */
+/** Every file begins with its licence, apart from the data of tests. */
 TEST_CASE(licences_are_named)
 {
     static char places[][sizeof PROJECT_SOURCE + 32] = {

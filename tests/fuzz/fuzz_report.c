@@ -42,7 +42,7 @@ enum status_code __wrap_gnuplot_finish(struct gnuplot *gnuplot, struct status *s
     return STATUS_OK;
 }
 
-/* splitmix64 of the input's last bytes, which so choose the scene whatever the rest is */
+/* splitmix64 of the input's last bytes, which choose the scene */
 static uint64_t chosen;
 
 static size_t below(size_t count)
@@ -75,7 +75,7 @@ static void put(const char *name, const char *bytes, size_t length)
     FUZZ_REQUIRE(text_write_file(directory_path(place, name), bytes, length, &status) == STATUS_OK);
 }
 
-/* What stands in a file of the report is a number, or nothing. */
+/* No file of the report has a NaN or an infinity. */
 static void require_numbers(const char *name)
 {
     static const char *const words[] = {"nan", "inf", "infinity"};
@@ -119,7 +119,7 @@ static bool report(const struct scene *scene)
     return code == STATUS_OK;
 }
 
-/* The file twice, as repeated scans of a surface or as two, beside one that is good. */
+/* A surface of the file, of it twice, of it and a good scan, or two surfaces. */
 void fuzz_report(const uint8_t *bytes, size_t length)
 {
     static const char *const surfaces[] = {

@@ -25,8 +25,8 @@ static void require_sound(const struct scan *scan)
         FUZZ_REQUIRE(*scan->warnings[i] && !strchr(scan->warnings[i], '\n'));
 }
 
-/* A zip archive of the members, each a line with its name behind '=', then its bytes up to the next line that begins
- * so: what is inside an archive is read only where its checksum is right, which no mutation of the archive keeps. */
+/* A zip archive of members, each a line `=name` and its bytes up to the next such line: a mutation of the archive
+ * itself would break its checksums, and nothing in it be read. */
 static struct text pack_zip(const char *at, const char *end)
 {
     struct packed members[MOST_MEMBERS];
@@ -65,7 +65,7 @@ char *fuzz_file(const char *bytes, size_t *length)
 
 void fuzz_scan(const uint8_t *bytes, size_t length)
 {
-    /* what the scene says of the file follows from its length */
+    /* the file's length decides what the scene says of it */
     struct scan_options options = {.x_unit = "mm", .z_unit = "um"};
     if (length % 8 == 6) {
         options.x_column = 1;

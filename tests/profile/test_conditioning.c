@@ -28,7 +28,7 @@ static struct profile condition(double spacing_m, struct profile_options options
     return profile_good(&scan, &options);
 }
 
-/* Dektak prints x to 0.1 um and its spacing in the header; a header that does not fit is not believed. */
+/* Dektak prints x to 0.1 um and the spacing in the header, which is used if it fits. */
 TEST_CASE(test_header_spacing_of_rounded_positions)
 {
     static const struct {
@@ -51,7 +51,7 @@ TEST_CASE(test_header_spacing_of_rounded_positions)
     }
 }
 
-/* lambda_s and lambda_c leave of a wave what both transmissions say. */
+/* The filters multiply a wave by their transmissions. */
 TEST_CASE(test_filters)
 {
     make_smooth();
@@ -74,7 +74,7 @@ TEST_CASE(test_filters)
     assert_profile_refused(&scan, &(struct profile_options){.lambda_s_m = 0}, "differ by no more than");
 }
 
-/* Uneven points: kept as measured until a filter makes them something else. */
+/* Uneven points are kept as measured, unless a filter changes them. */
 TEST_CASE(test_measured_points)
 {
     uint64_t seed = 1;

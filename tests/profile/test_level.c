@@ -25,7 +25,7 @@ static void make_rough(double *height_m, size_t points)
         height_m[j] = 1e-6 * (noise(&seed) + 0.3 * sin(0.01 * (double)j));
 }
 
-/* What is left is orthogonal to 1, u, u², as far as the level goes, and not beyond. */
+/* What is left is orthogonal to the powers of u that were taken out, and to no others. */
 TEST_CASE(test_what_is_left_is_orthogonal)
 {
     double height_m[ROUGH];

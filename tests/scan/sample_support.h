@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Small samples for the readers: every one holds the heights below (NaN where the sample has a missing point), 0.5 um
- * apart, a profile of six points or a map of three columns and two rows, 2 um apart. */
+/* Small samples for the readers, all of the heights below (NaN where the sample has a missing point): a profile of six
+ * points 0.5 um apart, or a map of three columns and two rows 2 um apart. */
 #ifndef TEST_SAMPLE_SUPPORT_H
 #define TEST_SAMPLE_SUPPORT_H
 

@@ -13,7 +13,7 @@ static struct scan read_real(const char *name, const char *x_unit, const char *z
     return scan;
 }
 
-/* Their other figures are looked at in tests/cli/test_inspection.c. */
+/* tests/cli/test_inspection.c checks their other numbers. */
 TEST_CASE(test_formats_and_ranges)
 {
     NEED_REAL_SCANS();
@@ -97,7 +97,7 @@ TEST_CASE(test_x3p_forms)
     }
 }
 
-/* What lies beside scans and is none, and a scan whose units nobody says. */
+/* Files that are no scans, and a scan without units. */
 TEST_CASE(test_refused)
 {
     NEED_REAL_SCANS();

@@ -95,7 +95,7 @@ TEST_CASE(test_units_of_scene)
     assert_four_points("channel in,channel A\n" POINTS, "mm", "um");
     assert_four_points("Length,1500.0 nm\n" POINTS, "mm", "um");
     assert_four_points("# a\n% b\n; c\n// d\n0 0.5\n# between\n1 -1.25\n2 2.75\n3 0.125\n# end\n", "mm", "um");
-    /* the file's unit wins, and the scan says so */
+    /* the file's unit is used, with a warning */
     struct scan scan = read_good("x [mm],z [um]\n" POINTS, "nm", "um");
     assert_int_equal(scan.warning_count, 1);
     assert_non_null(strstr(scan.warnings[0], "x_unit"));
@@ -132,7 +132,7 @@ TEST_CASE(test_words_of_spacing)
     assert_refused("pixel depth = 2 um\n1 3 2 4\n5 1 3 1\n1 1 1 1\n", "without its pixel size");
 }
 
-/* What else a header says in steps, lengths, counts and samplings is no spacing, and spoils none. */
+/* Other steps, lengths, counts and samplings in a header are no spacing, and do not disturb one. */
 TEST_CASE(test_words_of_no_spacing)
 {
     static const char *const lines[] = {
@@ -194,7 +194,7 @@ TEST_CASE(test_two_spacings)
     assert_refused("dx = 1\nspacing 2 mm\nz unit: um\n" HEIGHTS, "file:1: lines 1 and 2 name two spacings");
     assert_refused("pixel size = 1 um\npixel size = 2 um\nz unit: um\n1 3 2 4\n5 1 3 1\n1 1 1 1\n",
                    "file:1: lines 1 and 2 name two pixel sizes");
-    /* beside x neither is needed, and one is kept */
+    /* beside x two different ones are no error and not used; a single one is kept */
     struct scan scan = read_good("dx = 1 mm\nspacing 2 mm\nx [mm],z [um]\n0,1\n1,2\n2,1\n", "", "");
     assert_near(scan.dx_m, 1e-3, 1e-12);
     assert_within(scan.nominal_dx_m, 0, 0);
@@ -323,7 +323,7 @@ TEST_CASE(test_missing_units)
     refuse_with(text, &x_only, "no unit for z; add `z_unit: um`");
     refuse_with(text, &z_only, "no unit for x; add `x_unit: mm`");
     refuse_with(text, &wrong, "is no unit of length; give z_unit");
-    /* a unit that is none of length is named, where it is what lacks; longer words in brackets are no units */
+    /* a unit in brackets that is no length is named where one is missing; longer words in brackets are no units */
     static const struct {
         const char *title, *refused;
     } titles[] = {
@@ -338,7 +338,7 @@ TEST_CASE(test_missing_units)
     };
     for (size_t i = 0; i < sizeof titles / sizeof *titles; i++)
         refuse_with(filled("%s\n%s", titles[i].title, text), &no_units, titles[i].refused);
-    struct scan scan = read_with("x [km],z [um]\n0,1\n1,2\n2,3\n", &x_only); /* the scene knows better */
+    struct scan scan = read_with("x [km],z [um]\n0,1\n1,2\n2,3\n", &x_only); /* the scene's counts */
     assert_string_equal(scan.x_unit, "mm");
     scan_free(&scan);
 }
@@ -413,7 +413,7 @@ TEST_CASE(test_missing)
     expect_scan("spacing 0.5 um, heights in um\nz unit: um\n1\n2\n***\nBAD\n3\n", 5, 2, NULL);
 }
 
-/* A first line with the number of points is none of them, and has to be right. */
+/* A first line may say how many points follow, and has to be right. */
 TEST_CASE(test_counts)
 {
     assert_four_points("4\n" BLANKS, "mm", "um");
@@ -426,7 +426,7 @@ TEST_CASE(test_counts)
     expect_scan("# spacing 1 mm\n# z [um]\n4\n1\n3\n2\n1\n", 5, 0, NULL); /* whole numbers all: a height */
 }
 
-/* The text goes once its columns are taken: not before a sidecar had its say, nor before an error names its line. */
+/* The file's text is freed once its columns are read, but not if a sidecar or the line of an error needs it. */
 TEST_CASE(test_a_spent_text_is_freed)
 {
     static const struct {
@@ -454,8 +454,9 @@ TEST_CASE(test_a_spent_text_is_freed)
     }
 }
 
-/* A height that comes again, far off all others, was not measured; one spike, a step and heights that happen to be 9999
- * were. */
+/* A height that is repeated far from all others was not measured; a single spike, a step and usual heights of 9999
+ * were.
+ */
 TEST_CASE(test_gap_codes)
 {
     static const struct {
@@ -478,7 +479,7 @@ TEST_CASE(test_gap_codes)
     }
 }
 
-/* Text in a column is said, with what to choose, and passed over where that is done; a counter is no position. */
+/* The message on a column of text says what to choose, and the choice works. A counter is no position. */
 TEST_CASE(test_columns_that_are_no_scan)
 {
     static const char timed[] = "time,x_mm,z_um\n2024-03-01 10:11:00,0,0.5\n2024-03-01 10:11:01,1,-1.25\n"
