@@ -489,11 +489,6 @@ static enum status_code take_columns(struct scan *out, struct table *table, size
 }
 
 /* Accretech and Surfcom write the length in mm and the number of heights above the heights in um. */
-static bool is_accretech(const struct table *table)
-{
-    return table->rows >= TEXT_POINTS + 2 && table->cell[0] > 0 && table->cell[1] == (double)(table->rows - 2);
-}
-
 static enum status_code take_accretech(struct scan *out, struct table *table)
 {
     double x_m, z_m;
@@ -527,13 +522,6 @@ static enum status_code take_units(struct scan *out, const struct table *table, 
     return STATUS_OK;
 }
 
-/* Is the first number of the only column how many follow: a whole number, and the next is none? */
-static bool begins_with_count(const struct table *table)
-{
-    return table->columns == 1 && table->rows > TEXT_POINTS && table->cell[0] == (double)(table->rows - 1) &&
-           table->cell[1] != round(table->cell[1]);
-}
-
 /* Refuses a length that two lines of the header name differently. */
 static enum status_code check_said_once(const struct table *table, const struct text_quantity *said, const char *what)
 {
@@ -548,31 +536,25 @@ static enum status_code check_said_once(const struct table *table, const struct 
 /* Column `z` alone, at the spacing that the header names. */
 static enum status_code take_heights(struct scan *out, struct table *table, size_t z)
 {
+    const struct text_quantity *spacing = &table->header.spacing;
+    const double *cell = table->cell;
+    size_t rows = table->columns == 1 ? table->rows : 0; /* where the first ones may be none */
     double x_m, z_m;
     out->z_column = z + 1;
-    if (table->columns == 1 && table->header.spacing.value <= 0 && is_accretech(table))
+    if (spacing->value <= 0 && rows >= TEXT_POINTS + 2 && cell[0] > 0 && cell[1] == (double)(rows - 2))
         return take_accretech(out, table);
-    if (table->header.spacing.value <= 0)
+    if (spacing->value <= 0)
         return scan_fail(table->file, table->first_line,
                          "one column is heights only: no spacing; add a line `spacing 0.5 um` above the numbers, or a "
                          "column x");
-    if (check_said_once(table, &table->header.spacing, "spacings") != STATUS_OK ||
-        take_units(out, table, table->header.spacing.unit, &x_m, &z_m) != STATUS_OK)
+    if (check_said_once(table, spacing, "spacings") != STATUS_OK ||
+        take_units(out, table, spacing->unit, &x_m, &z_m) != STATUS_OK)
         return table->file->status->code;
-    out->dx_m = table->header.spacing.value * x_m;
-    size_t first = begins_with_count(table) ? 1 : 0;
-    if (first > 0)
-        scan_warn(out, "the first number, %zu, says how many heights follow", table->rows - first);
-    return take_columns(out, table, first, x_m, z_m);
-}
-
-static enum status_code fail_disorder(const struct table *table, size_t x, size_t bad)
-{
-    bool repeated = bad > 0 && at(table, bad, x) == at(table, bad - 1, x);
-    return scan_fail(table->file, line_of_row(table, bad), "x %s; x has to go one way: sort or remove points%s",
-                     repeated ? "is that of the point before" : "turns back",
-                     table->delimiter == ',' ? ", or separate the columns by semicolons if the commas are decimal signs"
-                                             : "");
+    out->dx_m = spacing->value * x_m;
+    bool counted = rows > TEXT_POINTS && cell[0] == (double)(rows - 1) && cell[1] != round(cell[1]);
+    if (counted)
+        scan_warn(out, "the first number, %zu, says how many heights follow", rows - 1);
+    return take_columns(out, table, counted ? 1 : 0, x_m, z_m);
 }
 
 /* The scan in columns `x` and `z`. */
@@ -591,7 +573,10 @@ static enum status_code take_points(struct scan *out, struct table *table, size_
     if (bad < rows && isnan(at(table, bad, x)))
         return scan_fail(table->file, line_of_row(table, bad), "no x here; fill it in or remove this line");
     if (bad < rows)
-        return fail_disorder(table, x, bad);
+        return scan_fail(
+            table->file, line_of_row(table, bad), "x %s; x has to go one way: sort or remove points%s",
+            bad > 0 && at(table, bad, x) == at(table, bad - 1, x) ? "is that of the point before" : "turns back",
+            table->delimiter == ',' ? ", or separate the columns by semicolons if the commas are decimal signs" : "");
     if (take_columns(out, table, 0, x_m, z_m) != STATUS_OK)
         return table->file->status->code;
     const char *unit = header->spacing.unit ? header->spacing.unit : out->x_unit;

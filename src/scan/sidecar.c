@@ -60,26 +60,18 @@ static const char *dabam_unit(const json_t *object, size_t index, double format)
     return height ? scan_unit_of(dabam_factor(object, 'Y', index)) : NULL;
 }
 
-static bool take_dabam(struct text_header *out, const json_t *object)
-{
-    double x_factor = dabam_factor(object, 'X', 1);
-    if (!(x_factor > 0))
-        return false;
-    double format = dabam_number(object, "FILE_FORMAT");
-    bool pairs = format == DABAM_SLOPES_IN_PAIRS || format == DABAM_HEIGHTS_IN_PAIRS;
-    for (size_t i = 1; 2 * i <= TEXT_HEADER_COLUMNS; i++) {
-        size_t x = pairs ? 2 * i - 2 : 0, y = pairs ? 2 * i - 1 : i;
-        out->unit[x] = scan_unit_of(dabam_factor(object, 'X', pairs ? i : 1));
-        out->unit[y] = dabam_unit(object, i, format);
-    }
-    return true;
-}
-
-static bool parse_json(struct text_header *out, const struct text *bytes)
+static bool read_dabam(struct text_header *out, const struct text *bytes)
 {
     const char *start = strchr(text_string(bytes), '{'); /* behind a byte order mark */
     json_t *root = json_loadb(start, bytes->length - (size_t)(start - text_string(bytes)), 0, NULL);
-    bool any = json_is_object(root) && take_dabam(out, root);
+    const bool any = dabam_factor(root, 'X', 1) > 0;
+    double format = dabam_number(root, "FILE_FORMAT");
+    bool pairs = format == DABAM_SLOPES_IN_PAIRS || format == DABAM_HEIGHTS_IN_PAIRS;
+    for (size_t i = 1; any && 2 * i <= TEXT_HEADER_COLUMNS; i++) {
+        size_t x = pairs ? 2 * i - 2 : 0, y = pairs ? 2 * i - 1 : i;
+        out->unit[x] = scan_unit_of(dabam_factor(root, 'X', pairs ? i : 1));
+        out->unit[y] = dabam_unit(root, i, format);
+    }
     json_decref(root);
     return any;
 }
@@ -90,7 +82,7 @@ bool sidecar_read_text(struct sidecar *out, const struct text *bytes, const char
     *out = (struct sidecar){.header = {.valid = SIZE_MAX}};
     snprintf(out->name, sizeof out->name, "%s", slash ? slash + 1 : path);
     if (start[strspn(start, "\xEF\xBB\xBF \t\r\n")] == '{')
-        return parse_json(&out->header, bytes);
+        return read_dabam(&out->header, bytes);
     return scan_text_read_keys(&out->header, &(struct scan_file){.bytes = start, .length = bytes->length, .path = ""});
 }
 

@@ -429,12 +429,6 @@ static void find_lengths(struct text_header *header, struct string_view preamble
     header->behind_lengths = unit_behind;
 }
 
-/* Is it of SPIP's header, whose lengths are in nm if no unit is given? */
-static bool is_spip(struct string_view line)
-{
-    return string_view_equals(line, "File Format = ASCII") || string_view_starts(line, "Created by SPIP");
-}
-
 struct text_header text_header_read(struct string_view preamble, char delimiter, size_t columns)
 {
     const char delimiters[] = {delimiter, '\t', ';', ',', ' '}; /* titles may be separated differently from numbers */
@@ -448,7 +442,7 @@ struct text_header text_header_read(struct string_view preamble, char delimiter,
         line = text_header_uncomment(line, &comment);
         if (line.start == line.end)
             continue;
-        spip = spip || is_spip(line);
+        spip = spip || string_view_equals(line, "File Format = ASCII") || string_view_starts(line, "Created by SPIP");
         scaled = scaled || string_view_equals(line, "DataScaleNeeded = yes");
         if (add_line(&header, line, lines.number))
             line.end = line.start; /* `X unit: mm` is no pair of titles */
@@ -461,7 +455,7 @@ struct text_header text_header_read(struct string_view preamble, char delimiter,
     find_lengths(&header, preamble);
     if (scaled)
         header.z_factor = header.data_scale;
-    if (spip) {
+    if (spip) { /* whose lengths are in nm if no unit is given */
         header.width.unit = either(header.width.unit, "nm");
         header.height.unit = either(header.height.unit, "nm");
     }
