@@ -46,25 +46,13 @@ static enum format_kind open_entry(struct entry *out, const struct archive *arch
     return format.kind == FORMAT_UNKNOWN || format.kind == FORMAT_PACKED ? FORMAT_OTHER : format.kind;
 }
 
-/* The entries that are no scans. */
-struct others {
-    size_t count;
-    char names[120]; /* of the first */
-};
-
-static void note_other(struct others *others, const char *name)
-{
-    size_t used = strlen(others->names);
-    if (others->count++ < ZIP_NAMED)
-        snprintf(others->names + used, sizeof others->names - used, "%s%.60s", used > 0 ? ", " : "", name);
-}
-
 /* Reads the first scan from options->entry on, and finds the next. At the start of the archive it looks at all entries,
  * to say which are no scans. */
 static enum status_code read_archive(struct scan *out, const struct archive *archive)
 {
     const struct scan_file *file = archive->file;
-    struct others others = {0};
+    size_t others = 0;    /* entries that are no scans */
+    char names[120] = ""; /* of the first of them */
     enum status_code code = STATUS_OK;
     bool found = false, all = file->options->entry == 0;
     for (size_t i = file->options->entry; i < archive->count && (all || out->next_entry == 0); i++) {
@@ -78,7 +66,9 @@ static enum status_code read_archive(struct scan *out, const struct archive *arc
         quiet.status = found ? &ignored : file->status;
         enum format_kind kind = open_entry(&entry, archive, i, &quiet);
         if (kind == FORMAT_OTHER) {
-            note_other(&others, name);
+            size_t used = strlen(names);
+            if (others++ < ZIP_NAMED)
+                snprintf(names + used, sizeof names - used, "%s%.60s", used > 0 ? ", " : "", name);
         } else if (!found) {
             found = true;
             snprintf(out->part, sizeof out->part, "%.100s", name);
@@ -92,10 +82,10 @@ static enum status_code read_archive(struct scan *out, const struct archive *arc
             return status_memory(file->status);
     }
     if (!found)
-        return scan_fail(file, 0, "no scan in this zip archive%s%s", others.count > 0 ? ", only " : "", others.names);
-    if (all && others.count > 0)
-        scan_warn(out, "passed over in the archive, no scan%s: %s%s", others.count == 1 ? "" : "s", others.names,
-                  others.count > ZIP_NAMED ? ", ..." : "");
+        return scan_fail(file, 0, "no scan in this zip archive%s%s", others > 0 ? ", only " : "", names);
+    if (all && others > 0)
+        scan_warn(out, "passed over in the archive, no scan%s: %s%s", others == 1 ? "" : "s", names,
+                  others > ZIP_NAMED ? ", ..." : "");
     return code;
 }
 
