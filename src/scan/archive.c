@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "scan/archive.h"
 #include "base/limits.h"
+#include "scan/reader.h"
 
 #include <errno.h>
 #include <stdint.h>

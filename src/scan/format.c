@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "scan/format.h"
 #include "base/limits.h"
-#include "base/text.h"
 
 #include <errno.h>
 #include <iconv.h>

@@ -2,8 +2,6 @@
 #include "scan/reader.h"
 #include "base/limits.h"
 #include "base/unit.h"
-#include "scan/scan.h"
-#include "scan/string_view.h"
 #include "scan/text_header.h"
 
 #include <math.h>

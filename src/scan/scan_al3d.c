@@ -2,7 +2,6 @@
 /* Alicona AL3D: a magic, tags of 52 bytes (key 20, value 30, CRLF; the second, TagCount, says how many follow), and at
  * DepthImageOffset rows of little-endian floats in metres, each row filled up to a multiple of 8 bytes. */
 #include "scan/reader.h"
-#include "scan/string_view.h"
 
 #include <math.h>
 

@@ -2,7 +2,6 @@
 /* Gwyddion simple field: `Gwyddion Simple Field 1.0`, `Key = value` lines, 1 to 4 NUL up to a multiple of 4 bytes, then
  * XRes x YRes little-endian floats; NaN is missing. */
 #include "scan/reader.h"
-#include "scan/string_view.h"
 
 #include <string.h>
 

@@ -3,7 +3,6 @@
  * the value; little-endian. `/N/data` are GwyDataFields (maps), of which the first whose values are lengths is read.
  * Described in Gwyddion's user guide, Format of Gwyddion Files. */
 #include "scan/reader.h"
-#include "scan/string_view.h"
 
 #include <math.h>
 #include <string.h>

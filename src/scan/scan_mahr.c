@@ -2,7 +2,6 @@
 /* Mahr text: sections in brackets, `NO_POINTS=n`, then below [PROFILE_VALUES] a line for each point in mm:
  * `index=x y z c lock` of MarWin, with a comment above that names them, or `index=x z lock` of the MarSurf PS 10. */
 #include "scan/reader.h"
-#include "scan/string_view.h"
 #include "scan/text_header.h"
 
 #include <math.h>

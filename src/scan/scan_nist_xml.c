@@ -2,7 +2,6 @@
 /* XML of the NIST surface metrology database: <UNITS>, <NUMPOINTS>, <SPACING> and blocks of heights, a line each: the
  * profile as measured, and perhaps its roughness or waviness. */
 #include "scan/reader.h"
-#include "scan/string_view.h"
 
 #include <math.h>
 #include <string.h>

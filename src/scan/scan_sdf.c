@@ -2,7 +2,6 @@
 /* ISO 25178-71 SDF and its predecessors: 'a' (text) or 'b' (binary) and a version. Scales are metres per step and per
  * unit of height. Text: `Key = value` lines, `*`, heights, `*`, a trailer. Binary: a header of 81 bytes, heights. */
 #include "scan/reader.h"
-#include "scan/string_view.h"
 
 #include <math.h>
 

@@ -4,7 +4,6 @@
  * Its predecessor, the text PRF of NPL and Taylor Hobson: `1 2`, a title, axes CX and CZ of type M, EOR; remarks with
  * `SPACING CX s`, EOR; an integer for each height, EOR, EOF. A height is integer x scale x unit. */
 #include "scan/reader.h"
-#include "scan/string_view.h"
 
 #include <math.h>
 #include <string.h>

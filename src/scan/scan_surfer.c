@@ -2,7 +2,6 @@
 /* Golden Software Surfer's text grids, DSAA. They name no units; rows begin at the lowest y. Heights from the blanking
  * value on are missing. */
 #include "scan/reader.h"
-#include "scan/string_view.h"
 
 static const double surfer_blank = 1.70141e38;
 

@@ -3,7 +3,6 @@
  * maps, as a list x y z on a grid or as a matrix of heights with its pixel size. */
 #include "base/limits.h"
 #include "scan/reader.h"
-#include "scan/string_view.h"
 #include "scan/text_header.h"
 
 #include <ctype.h>

@@ -2,7 +2,6 @@
 /* Wyko ASCII: `X Size`, `Y Size`, then a line for each block: name, type, length, value. Pixel_size is in mm,
  * Wavelength in nm; the heights below RAW_DATA are in waves, or in the unit in that line; `Bad` is a missing point. */
 #include "scan/reader.h"
-#include "scan/string_view.h"
 
 #include <math.h>
 

@@ -2,9 +2,7 @@
 /* ISO 25178-72 X3P: a zip archive with main.xml (perhaps in a folder) and the points, in metres, in main.xml or in a
  * binary file. Each point has the values of the stored axes (kind A); a coordinate is value x increment + offset. */
 #include "base/limits.h"
-#include "scan/archive.h"
 #include "scan/reader.h"
-#include "scan/string_view.h"
 
 #include <ctype.h>
 #include <expat.h>

@@ -3,8 +3,6 @@
  * options->entry is the index where the search starts. An entry that cannot be read is refused in its turn, and the
  * search goes on behind it. */
 #include "base/limits.h"
-#include "base/text.h"
-#include "scan/archive.h"
 #include "scan/format.h"
 
 #include <stdint.h>

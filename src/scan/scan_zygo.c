@@ -5,7 +5,6 @@
  * R = 4096, 32768, 131072. ASCII: a block of intensities, perhaps empty, and one of phases; a height is phase S O W/R,
  * phases from 2147483640 on are missing. XYZ: lines `column row height`, in micrometres or `No Data`. */
 #include "scan/reader.h"
-#include "scan/string_view.h"
 
 #include <math.h>
 #include <string.h>
