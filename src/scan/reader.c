@@ -124,18 +124,15 @@ enum status_code scan_units(struct scan *out, const char *x_named, const char *z
     return STATUS_OK;
 }
 
-static void warn_unit(struct scan *scan, char axis, const char *named, const char *scene)
-{
-    double used = find_unit(named).si;
-    if (said(scene) && used > 0 && find_unit(scene).si != used)
-        scan_warn(scan, "the file%s names its %c unit, %s: the scene's %c_unit is not used",
-                  scan->units_beside ? " or its sidecar" : "", axis, named, axis);
-}
-
 void scan_warn_units(struct scan *out, const struct scan_file *file)
 {
-    warn_unit(out, 'x', out->x_unit, file->options->x_unit);
-    warn_unit(out, 'z', out->z_unit, file->options->z_unit);
+    const char *const units[2][2] = {{out->x_unit, file->options->x_unit}, {out->z_unit, file->options->z_unit}};
+    for (size_t i = 0; i < 2; i++) {
+        double used = find_unit(units[i][0]).si;
+        if (said(units[i][1]) && used > 0 && find_unit(units[i][1]).si != used)
+            scan_warn(out, "the file%s names its %c unit, %s: the scene's %c_unit is not used",
+                      out->units_beside ? " or its sidecar" : "", "xz"[i], units[i][0], "xz"[i]);
+    }
 }
 
 void scan_set_units(struct scan *out, const char *x_unit, const char *z_unit)

@@ -37,34 +37,30 @@ static enum status_code check_header(struct scan *out, const struct sdf_header *
     return STATUS_OK;
 }
 
-static enum status_code read_text_header(struct sdf_header *header, struct lines *lines, const struct scan_file *file)
-{
-    const struct scan_key keys[] = {{"NumPoints", .count = &header->nx},
-                                    {"NumProfiles", .count = &header->ny},
-                                    {"Compression", .count = &header->compression},
-                                    {"Xscale", .number = &header->x_scale},
-                                    {"Yscale", .number = &header->y_scale},
-                                    {"Zscale", .number = &header->z_scale},
-                                    {0}};
-    struct string_view line;
-    lines_next(lines, &line); /* the version */
-    while (lines_next(lines, &line)) {
-        if (string_view_equals(string_view_trim(line), "*"))
-            return STATUS_OK;
-        if (scan_take_key(keys, line, lines->number, file) != STATUS_OK)
-            return file->status->code;
-    }
-    return scan_fail(file, lines->number, "no line `*` between header and heights");
-}
-
 static enum status_code read_text(struct scan *out, const struct scan_file *file)
 {
     struct sdf_header header = {0};
+    const struct scan_key keys[] = {{"NumPoints", .count = &out->nx},
+                                    {"NumProfiles", .count = &out->ny},
+                                    {"Compression", .count = &header.compression},
+                                    {"Xscale", .number = &header.x_scale},
+                                    {"Yscale", .number = &header.y_scale},
+                                    {"Zscale", .number = &header.z_scale},
+                                    {0}};
     struct lines lines = lines_begin(scan_view(file));
-    if (read_text_header(&header, &lines, file) != STATUS_OK || check_header(out, &header, file) != STATUS_OK)
+    struct string_view line;
+    bool star = false;
+    out->nx = out->ny = 0;
+    lines_next(&lines, &line); /* the version */
+    while (!star && lines_next(&lines, &line)) {
+        star = string_view_equals(string_view_trim(line), "*");
+        if (!star && scan_take_key(keys, line, lines.number, file) != STATUS_OK)
+            return file->status->code;
+    }
+    if (!star)
+        return scan_fail(file, lines.number, "no line `*` between header and heights");
+    if (check_header(out, &header, file) != STATUS_OK)
         return file->status->code;
-    out->nx = header.nx;
-    out->ny = header.ny;
     return scan_take_text(out, (struct string_view){lines.next, lines.end}, header.z_scale, INFINITY, "*", file);
 }
 
