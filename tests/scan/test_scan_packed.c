@@ -244,6 +244,8 @@ TEST_CASE(test_gwy)
     text_add_bytes(&inner, "Height", 7);
     put_name(&inner, "/0/data/visible", 'b');
     put_bytes(&inner, 1, 1);
+    put_name(&inner, "/0/data/icon", 'C');
+    PUT(&inner, {3, 4}, {7, 3});
     put_field_object(&inner, "/0/data", 1e-6, "m", SAMPLE_POINTS);
     put_name(&inner, "/names", 'S');
     put_bytes(&inner, 2, 4);

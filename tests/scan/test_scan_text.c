@@ -217,6 +217,8 @@ TEST_CASE(test_blocks)
         expect_scan(filled("# pixel size = 0.5 um\n# z unit: um\n1\t3\t2\t4\n5\t1\t3\t1\n%s\n1\t1\t1\t1\n", others[i]),
                     4, 0, filled("1 more block of rows, the first below line 5, '%s'", others[i] + 2));
     }
+    expect_scan("# dx = 1 mm\n# z [um]\n" HEIGHTS "# a: 1\n# b: 2\n7\n8\n", 4, 0,
+                "1 more block of rows, the first below line 7, 'a: 1'");
     static const char *const none[] = {"", "# stylus lifted at 10:31", "# 0.5 7", "#", "# checked"};
     for (size_t i = 0; i < sizeof none / sizeof *none; i++)
         expect_scan(filled("x [mm],z [um]\n0,0.5\n1,-1.25\n%s\n2,2.75\n3,0.125\n# end: 1\n\n# unit: mm\n", none[i]), 4,
@@ -464,7 +466,7 @@ TEST_CASE(test_gap_codes)
         int times;
         double scale;
         size_t missing;
-    } cases[] = {{9999, 4, 1, 4}, {1e10, 2, 1, 2}, {9999, 1, 1, 0}, {-2147483648.0, 3, 1, 3}, {777, 4, 1, 4},
+    } cases[] = {{9999, 4, 1, 4}, {1e10, 2, 1, 2}, {9999, 1, 1, 0}, {-2147483648.0, 3, 1, 3}, {100, 4, 1, 4},
                  {-777, 4, 1, 4}, {777, 1, 1, 0},  {40, 4, 1, 0},   {9999, 4, 2000, 0},       {777, 60, 1, 0}};
     for (size_t c = 0; c < sizeof cases / sizeof *cases; c++) {
         struct text *text = support_text();
