@@ -77,19 +77,6 @@ static double curvature(const struct profile *profile, size_t lag)
     return count > 0 ? sum / (double)count : 0;
 }
 
-static void check_units(struct profile *profile, double rq_m)
-{
-    double length_m = (double)profile->points * profile->spacing_m, steepest = 0;
-    for (size_t i = 1; i < profile->points; i++)
-        steepest = fmax(steepest, fabs(profile->height_m[i] - profile->height_m[i - 1]) / profile->spacing_m);
-    if (rq_m > length_m)
-        profile_note(profile, "Rq %.3g m is above the length of the scan, %.3g m: check x_unit and z_unit", rq_m,
-                     length_m);
-    else if (steepest > sanity_steepest)
-        profile_note(profile, "the steepest slope is %.3g (%.0f degrees): check the units, or spikes in the scan",
-                     steepest, atan(steepest) * 180 / M_PI);
-}
-
 static void check_curvature(struct profile *profile, double digit_m, const struct profile_options *options)
 {
     double m4 = curvature(profile, 1), coarse = curvature(profile, 2), h = profile->spacing_m;
@@ -122,14 +109,21 @@ static void check_curvature(struct profile *profile, double digit_m, const struc
  *  a tip radius above the RMS radius of curvature; ends that differ by over 3 Rq; under 64 points. */
 static void check_sanity(struct profile *profile, double digit_m, const struct profile_options *options)
 {
-    double sum_m = 0, square_m2 = 0;
+    const double *z = profile->height_m, length_m = (double)profile->points * profile->spacing_m;
+    double sum_m = 0, square_m2 = 0, steepest = 0, jump_m = fabs(z[profile->points - 1] - z[0]);
     for (size_t i = 0; i < profile->points; i++)
-        sum_m += profile->height_m[i];
-    for (size_t i = 0; i < profile->points; i++)
-        square_m2 += pow(profile->height_m[i] - sum_m / (double)profile->points, 2);
+        sum_m += z[i];
+    for (size_t i = 0; i < profile->points; i++) {
+        square_m2 += pow(z[i] - sum_m / (double)profile->points, 2);
+        steepest = i > 0 ? fmax(steepest, fabs(z[i] - z[i - 1]) / profile->spacing_m) : 0;
+    }
     double rq_m = sqrt(square_m2 / (double)profile->points);
-    double jump_m = fabs(profile->height_m[profile->points - 1] - profile->height_m[0]);
-    check_units(profile, rq_m);
+    if (rq_m > length_m)
+        profile_note(profile, "Rq %.3g m is above the length of the scan, %.3g m: check x_unit and z_unit", rq_m,
+                     length_m);
+    else if (steepest > sanity_steepest)
+        profile_note(profile, "the steepest slope is %.3g (%.0f degrees): check the units, or spikes in the scan",
+                     steepest, atan(steepest) * 180 / M_PI);
     check_curvature(profile, digit_m, options);
     if (jump_m > sanity_end_jump * rq_m)
         profile_note(profile, "the ends of the record differ by %.3g um, %.1f Rq: as a period it has a step there",

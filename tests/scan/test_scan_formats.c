@@ -170,14 +170,6 @@ TEST_CASE(test_columns)
     assert_near(scan.z_m[2], 6e-6, 1e-12);
     assert_non_null(strstr(scan.warnings[0], "3 columns: column 1 read as x, column 2 as z"));
     scan_free(&scan);
-    scan = read_good("x_unit: mm\nz_unit: um\n0 5\n1 -25400\n2 6\n3 5\n", "", "");
-    assert_int_equal(scan.missing, 1);
-    assert_non_null(strstr(scan.warnings[0], "a height of -25400 um stands for a missing point, 1 times"));
-    scan_free(&scan);
-    /* but where heights of that size are usual, it is one */
-    scan = read_good("x_unit: mm\nz_unit: nm\n0 5\n1 -25400\n2 -20000\n3 5\n", "", "");
-    assert_int_equal(scan.missing, 0);
-    scan_free(&scan);
 }
 
 /* The sample text in UTF-16, the lower byte first or last. */

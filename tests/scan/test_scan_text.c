@@ -276,14 +276,8 @@ TEST_CASE(test_headers_of_maps)
 
 TEST_CASE(test_descending)
 {
-    struct scan scan = read_good("x [mm],z [um]\n3,30\n2,20\n0,0\n", "", "");
-    assert_near(scan.x_m[2], 3e-3, 1e-15);
-    assert_near(scan.z_m[2], 30e-6, 1e-15);
-    assert_true(scan.x_m[0] == 0.0 && scan.z_m[0] == 0.0);
-    assert_near(scan.dx_m, 1.5e-3, 1e-15);
-    assert_int_equal(scan.warning_count, 1);
-    assert_non_null(strstr(scan.warnings[0], "reversed"));
-    scan_free(&scan);
+    assert_four_points("x [mm],z [um]\n3,0.125\n2,2.75\n1,-1.25\n0,0.5\n", "", "");
+    expect_scan("x [mm],z [um]\n3,30\n2,20\n0,0\n", 3, 0, "x descends: the scan was reversed");
 }
 
 TEST_CASE(test_refusals)
@@ -413,6 +407,9 @@ TEST_CASE(test_missing)
         scan_free(&scan);
     }
     expect_scan("spacing 0.5 um, heights in um\nz unit: um\n1\n2\n***\nBAD\n3\n", 5, 2, NULL);
+    expect_scan("x_unit: mm\nz_unit: um\n0 5\n1 -25400\n2 6\n3 5\n", 4, 1,
+                "a height of -25400 um stands for a missing point, 1 times");
+    expect_scan("x_unit: mm\nz_unit: nm\n0 5\n1 -25400\n2 -20000\n3 5\n", 4, 0, NULL); /* others are as large */
 }
 
 /* A first line may say how many points follow, and has to be right. */
