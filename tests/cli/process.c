@@ -118,22 +118,33 @@ void process_expect_only(struct process process, int status, const char *file, i
     process_expect(process, status, file, line);
 }
 
+struct process process_report(const char *place, const char *out, const char *scene, const char *file, int line)
+{
+    if (scene)
+        directory_write(place, "d/scene.yaml", scene);
+    return process_expect(process_run(place, "report", "d", "-o", out, "--no-cost"), 0, file, line);
+}
+
 void process_expect_parts(struct process process, bool out, const char *const *parts, const char *file, int line)
 {
     support_parts(out ? process.out : process.err, parts, true, file, line);
 }
 
+size_t times(const char *text, const char *part)
+{
+    size_t count = 0;
+    for (; (text = strstr(text, part)); text++)
+        count++;
+    return count;
+}
+
 void process_expect_failure(struct process process, int status, size_t lines, const char *message, const char *file,
                             int line)
 {
-    size_t count = 0;
-    for (const char *p = process.err; *p; p++)
-        count += *p == '\n';
-    if (process.status != status)
-        complain(&process, "unexpected exit status", file, line);
+    process_expect(process, status, file, line);
     if (process.out[0])
         complain(&process, "a failure wrote to stdout", file, line);
-    if (count != lines)
+    if (times(process.err, "\n") != lines)
         complain(&process, "unexpected number of lines on stderr", file, line);
     if (!strstr(process.err, message)) {
         print_error("missing: %s\n", message);
@@ -154,6 +165,12 @@ void workspace_scan(const char *place, const char *path, size_t points, unsigned
     for (size_t i = 0; i < points; i++)
         text_add(csv, "%.1f,%.6f\n", 0.5 * (double)i, height_m[i] * 1e6);
     directory_write(place, path, text_string(csv));
+}
+
+void workspace_scans(const char *place, const char *folder, unsigned count, size_t points, unsigned seed)
+{
+    for (unsigned i = 0; i < count; i++)
+        workspace_scan(place, filled("%s/%c.csv", folder, (char)('a' + i)), points, seed + i);
 }
 
 static int by_name(const FTSENT **a, const FTSENT **b)
@@ -294,12 +311,10 @@ void workspace_take_back(char *path)
 
 bool workspace_can_run(const char *place, const char *line)
 {
-    const char *const command[] = {"sh", "-c", line, NULL};
-    return process_end(process_start_list(place, command, NULL)).status == 0;
+    return run_program(place, "sh", "-c", line).status == 0;
 }
 
 char *workspace_shell(const char *place, const char *line)
 {
-    const char *const command[] = {"sh", "-ec", line, NULL};
-    return process_expect(process_end(process_start_list(place, command, NULL)), 0, __FILE__, __LINE__).out;
+    return expect_status(run_program(place, "sh", "-ec", line), 0).out;
 }

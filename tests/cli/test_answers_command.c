@@ -11,8 +11,7 @@
 
 static void scans(const char *place)
 {
-    workspace_scan(place, "in/a.csv", 300, 1);
-    workspace_scan(place, "in/b.csv", 300, 2);
+    workspace_scans(place, "in", 2, 300, 1);
 }
 
 /** Runs a scene. */

@@ -61,8 +61,7 @@ static double megabytes(void)
 static void expect_refused(const char *place, struct text *text, const char *message)
 {
     write_bytes(place, "hostile", text);
-    process_expect_failure(RUN(place, "inspect", "--x-unit", "um", "--z-unit", "um", "hostile"), 4, 1, message,
-                           __FILE__, __LINE__);
+    expect_failed(RUN(place, "inspect", "--x-unit", "um", "--z-unit", "um", "hostile"), 4, 1, message);
 }
 
 static const char *limit_message(enum limit limit)
@@ -186,10 +185,9 @@ TEST_IN_WORKSPACE(test_points_as_announced)
         struct text text = zip_of(members, 2);
         write_bytes(place, "a.x3p", &text);
         if (few)
-            expect_output(process_expect(RUN(place, "inspect", "a.x3p"), 0, __FILE__, __LINE__), "4096");
+            expect_output(expect_status(RUN(place, "inspect", "a.x3p"), 0), "4096");
         else
-            process_expect_failure(RUN(place, "inspect", "a.x3p"), 4, 1, limit_message(LIMIT_UNPACKED_RATIO), __FILE__,
-                                   __LINE__);
+            expect_failed(RUN(place, "inspect", "a.x3p"), 4, 1, limit_message(LIMIT_UNPACKED_RATIO));
         text_free(&members[0].bytes);
         text_free(&members[1].bytes);
     }
@@ -228,14 +226,13 @@ TEST_IN_WORKSPACE(test_endless_input)
 {
     workspace_write(place, "large.csv", "1 2\n");
     assert_int_equal(truncate(directory_path(place, "large.csv"), (off_t)limit_most(LIMIT_FILE_BYTES) + 1), 0);
-    process_expect_failure(RUN(place, "inspect", "large.csv"), 4, 1, limit_message(LIMIT_FILE_BYTES), __FILE__,
-                           __LINE__);
+    expect_failed(RUN(place, "inspect", "large.csv"), 4, 1, limit_message(LIMIT_FILE_BYTES));
     if (memory == RLIM_INFINITY) {
         print_message("skipped: no limit of the memory here\n");
         skip();
     }
     const char *const arguments[] = {"/bin/sh", "-c", "exec " PROGRAM " inspect - </dev/zero", NULL};
-    process_expect_failure(run_bounded(place, arguments), 4, 1, "out of memory", __FILE__, __LINE__);
+    expect_failed(run_bounded(place, arguments), 4, 1, "out of memory");
 }
 
 static void make_socket(const char *place, const char *name)
@@ -267,8 +264,7 @@ TEST_IN_WORKSPACE(test_measured_again_and_again)
     while (rows->length < 4 * 60000)
         text_add(rows, "1,2\n");
     workspace_write(place, "d/ecr.txt", text_string(rows));
-    workspace_scan(place, "d/a.csv", 200, 1);
-    workspace_scan(place, "d/b.csv", 200, 2);
+    workspace_scans(place, "d", 2, 200, 1);
     workspace_write(place, "d/scene.yaml",
                     "material: tin\nnominal_area: 1 mm2\nsurfaces:\n"
                     "  - {name: a, file: a.csv, measured: {file: ecr.txt, quantity: ecr}}\n"
@@ -304,22 +300,20 @@ TEST_IN_WORKSPACE(test_no_files)
         strcat(path, "/d");
     }
     alarm(250); /* a pipe that is opened would keep everybody waiting */
-    struct process process = process_expect(RUN(place, "inspect", "d"), 0, __FILE__, __LINE__);
+    struct process process = expect_status(RUN(place, "inspect", "d"), 0);
     expect_parts(process.out, "d/a.csv", "b.csv");
     expect_no_parts(process.out, "pipe", "zero");
-    process = process_expect(RUN(place, "plan", "d"), 0, __FILE__, __LINE__);
+    process = expect_status(RUN(place, "plan", "d"), 0);
     static const char *const none[] = {"d/pipe.csv", "d/socket.csv", "d/zero.csv"};
     for (size_t i = 0; i < 3; i++) {
         struct process opened = RUN(place, "inspect", none[i]);
         hard_case("pipes, sockets, /dev/zero, links in circles, a thousand folders in folders", "it waits for ever",
                   "passed over; refused where named", "read as scans", opened.status != 4, 0);
-        process_expect_failure(RUN(place, "inspect", none[i]), 4, 1, "is no regular file", __FILE__, __LINE__);
+        expect_failed(RUN(place, "inspect", none[i]), 4, 1, "is no regular file");
     }
-    process_expect_failure(RUN(place, "inspect", "d/self.csv"), 4, 1, "Too many levels of symbolic links", __FILE__,
-                           __LINE__);
+    expect_failed(RUN(place, "inspect", "d/self.csv"), 4, 1, "Too many levels of symbolic links");
     workspace_write(place, "d/scene.yaml", "material: tin\nsurfaces:\n  - {name: p, file: pipe.csv}\n");
-    process_expect_failure(RUN(place, "plan", "d"), 3, 1, "surface file 'pipe.csv' is no regular file", __FILE__,
-                           __LINE__);
+    expect_failed(RUN(place, "plan", "d"), 3, 1, "surface file 'pipe.csv' is no regular file");
     alarm(0);
 }
 

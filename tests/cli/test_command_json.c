@@ -120,8 +120,7 @@ TEST_IN_WORKSPACE(test_tables)
 /** Two surfaces, one file of which cannot be read. */
 static void make_scans(const char *place, bool broken)
 {
-    workspace_scan(place, "d/a.csv", 300, 1);
-    workspace_scan(place, "d/b.csv", 300, 2);
+    workspace_scans(place, "d", 2, 300, 1);
     if (broken)
         workspace_write(place, "d/broken.csv", "x [um],z [um]\n0,1\n1,two\n");
     workspace_write(place, "d/scene.yaml", scene);

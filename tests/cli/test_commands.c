@@ -79,8 +79,7 @@ TEST_IN_WORKSPACE(test_usage)
     expect_failure(place, 2, 3, "roughcontact inspect: which file?", "inspect");
     expect_failure(place, 2, 3, "roughcontact models: Too many arguments", "models", "x");
     expect_failure(place, 2, 3, "option requires an argument -- 'o'", "report", "d", "-o");
-    const char *const alone[] = {PROGRAM, NULL};
-    struct process process = process_end(process_start_list(place, alone, NULL));
+    struct process process = run_program(place, PROGRAM);
     assert_int_equal(process.status, 2);
     assert_string_equal(process.out, "");
     expect_part(process.err, "Usage: roughcontact COMMAND");

@@ -212,8 +212,7 @@ TEST_IN_WORKSPACE(ten_folders_of_one_surface_are_not_ranked_apart)
         int shuffled = 3 * i % 10;
         make_results(place, filled("out/%c", 'a' + i), "pin", exp(0.2 * z[shuffled]), KNOWN("0.2", "20"));
     }
-    json_t *view = process_json(process_end(
-        process_start_list(place, (const char *const[]){"sh", "-c", PROGRAM " compare --json out/*", NULL}, NULL)));
+    json_t *view = process_json(run_program(place, "sh", "-c", PROGRAM " compare --json out/*"));
     for (int i = 0; i < 10; i++) {
         at(view, LINE(i, "letters"), "\"a\"");
         assert_near(at(view, LINE(i, "value"), NULL), 2e-9 * exp(0.2 * z[i]), 1e-12); /* the least first */
@@ -226,8 +225,7 @@ TEST_IN_WORKSPACE(ten_folders_of_one_surface_are_not_ranked_apart)
 
     make_results(place, "out/bad", "pin", 8, KNOWN("0.2", "20"));
     make_results(place, "out/other", "nut", 1.0001, KNOWN("0.2", "0"));
-    view = process_json(process_end(
-        process_start_list(place, (const char *const[]){"sh", "-c", PROGRAM " compare --json out/*", NULL}, NULL)));
+    view = process_json(run_program(place, "sh", "-c", PROGRAM " compare --json out/*"));
     at(view, LINE(11, "path"), "\"out/bad\"");
     at(view, LINE(11, "letters"), "\"b\"");
     at(view, LINE(11, "worse"), "true");
@@ -351,8 +349,7 @@ TEST_IN_WORKSPACE(many_reports_make_one_table)
     for (int i = 0; i < 3; i++)
         make_results(place, filled("some/%d", i), filled("s%d", i), 1 + 0.5 * i, KNOWN("0.05", "20"));
     workspace_shell(place, "i=0; while [ $i -lt 999 ]; do cp -r some/$((i % 3)) out-$i; i=$((i + 1)); done");
-    json_t *view = process_json(process_end(
-        process_start_list(place, (const char *const[]){"sh", "-c", PROGRAM " compare --json out-*", NULL}, NULL)));
+    json_t *view = process_json(run_program(place, "sh", "-c", PROGRAM " compare --json out-*"));
     at(view, LINE(0, "surface"), "\"s0\"");
     at(view, LINE(998, "surface"), "\"s2\"");
     at(view, LINE(998, "worse"), "true");
@@ -404,8 +401,7 @@ TEST_IN_WORKSPACE(ten_folders_as_documented)
             assert_ptr_equal(first, strstr(said, " report scans/part-3 "));
             assert_null(strstr(first + 1, " report "));
         }
-        json_t *view = process_json(process_end(
-            process_start_list(place, (const char *const[]){"sh", "-c", PROGRAM " compare --json out/*", NULL}, NULL)));
+        json_t *view = process_json(run_program(place, "sh", "-c", PROGRAM " compare --json out/*"));
         assert_int_equal(json_array_size(json_object_get(json_object_get(view, "ranking"), "lines")), 10);
     }
     setenv("PATH", path, 1);

@@ -24,8 +24,7 @@ static void run(const char *place, const char *output, const char *extra)
 
 static void write_scans(const char *place)
 {
-    workspace_scan(place, "d/a.csv", 400, 1);
-    workspace_scan(place, "d/b.csv", 400, 2);
+    workspace_scans(place, "d", 2, 400, 1);
     workspace_scan(place, "d/c.csv", 500, 3);
     workspace_scan(place, "d/d.csv", 600, 4);
 }

@@ -119,9 +119,7 @@ TEST_IN_WORKSPACE(report_is_described)
                                          "cost.csv",         "spread.csv",      "bands.csv",   "direct.csv",
                                          "direct_ratio.csv", "sensitivity.csv", "answers.csv", "limits.csv"};
     char *document = read_document();
-    workspace_scan(place, "in/a.csv", 300, 1);
-    workspace_scan(place, "in/b.csv", 300, 2);
-    workspace_scan(place, "in/c.csv", 300, 3);
+    workspace_scans(place, "in", 3, 300, 1);
     workspace_scan(place, "in/flat.csv", 300, 4);
     workspace_scan(place, "in/rough.csv", 300, 5);
     workspace_write(place, "in/broken.csv", "x [um],z [um]\n0,1\n1,two\n");

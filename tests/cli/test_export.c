@@ -105,15 +105,13 @@ static void make_scene(const char *place, int points, const char *more)
                            "  - {name: \"*STEP $#%%!\", file: [b.csv, c.csv]}\n"
                            "  - {name: -rf, file: c.csv}\n%s",
                            points, more));
-    workspace_scan(place, "d/a.csv", 300, 1);
-    workspace_scan(place, "d/b.csv", 300, 2);
-    workspace_scan(place, "d/c.csv", 300, 3);
+    workspace_scans(place, "d", 3, 300, 1);
 }
 
 TEST_IN_WORKSPACE(each_is_read_back)
 {
     make_scene(place, POINTS, "export: [calculix, ansys elmer, 'abaqus,moose', comsol]\n");
-    run_to_exit(place, 0, "report", "d", "--no-cost", "-o", "o");
+    report_scene(place, "o", NULL);
     struct table contact = workspace_table(place, "o/data/contact.csv"),
                  bands = workspace_table(place, "o/data/bands.csv");
     static const char *const columns[] = {"tcr_K_m2_per_W", "ecr_ohm_m2"};
@@ -156,7 +154,7 @@ TEST_IN_WORKSPACE(what_is_in_the_joint_is_in_the_tables)
     static const char head[] = "| TCC, with gaps (W/(mm";
     make_scene(place, POINTS,
                "gap: {gas: air, pressure: 1 atm, temperature: 300 K}\nfilm: 1e-12 ohm m2\nexport: moose\n");
-    run_to_exit(place, 0, "report", "d", "--no-cost", "-o", "o");
+    report_scene(place, "o", NULL);
     struct table contact = workspace_table(place, "o/data/contact.csv"),
                  bands = workspace_table(place, "o/data/bands.csv");
     char *text = workspace_read(place, "o/export/plain.moose.csv");
@@ -177,7 +175,7 @@ TEST_IN_WORKSPACE(what_is_in_the_joint_is_in_the_tables)
     assert_true(value[0] == 0);
     expect_in_file(place, "o/report.md", head);
     make_scene(place, POINTS, "");
-    run_to_exit(place, 0, "report", "d", "--no-cost", "-o", "o");
+    report_scene(place, "o", NULL);
     expect_not_in_file(place, "o/report.md", head);
     expect_in_file(place, "o/report.md", "| TCC (W/(mm");
 }
@@ -214,7 +212,7 @@ TEST_IN_WORKSPACE(decks_in_millimetres)
 TEST_IN_WORKSPACE(calculix_takes_twenty_rows)
 {
     make_scene(place, 1000, "export: calculix\n");
-    run_to_exit(place, 0, "report", "d", "--no-cost", "-o", "o");
+    report_scene(place, "o", NULL);
     struct table contact = workspace_table(place, "o/data/contact.csv");
     double p[ROWS], h[ROWS];
     char *text = workspace_read(place, "o/export/plain.calculix.inp");
@@ -235,11 +233,11 @@ TEST_IN_WORKSPACE(only_what_is_asked_for)
     assert_true(workspace_has(place, "o/export/plain.moose.csv"));
     assert_false(workspace_has(place, "o/export/plain.ansys.mac"));
     workspace_write(place, "o/export/mine.txt", "mine\n");
-    run_to_exit(place, 0, "report", "d", "--no-cost", "-o", "o");
+    report_scene(place, "o", NULL);
     assert_false(workspace_has(place, "o/export/plain.moose.csv"));
     expect_in_file(place, "o/export/mine.txt", "mine\n");
     expect_not_in_file(place, "o/view.json", "\"exports\"");
-    run_to_exit(place, 0, "report", "d", "--no-cost", "-o", "none");
+    report_scene(place, "none", NULL);
     assert_false(workspace_has(place, "none/export"));
     expect_failure(place, 2, 1,
                    "--export: unknown program 'fluent'; there are abaqus, ansys, calculix, comsol, elmer, moose",

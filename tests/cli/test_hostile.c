@@ -403,8 +403,7 @@ TEST_IN_WORKSPACE(test_refusals)
 /* A surface whose material says too little is named where an effect is left out. */
 TEST_IN_WORKSPACE(test_reasons)
 {
-    workspace_scan(place, "d/a.csv", 100, 1);
-    workspace_scan(place, "d/b.csv", 100, 2);
+    workspace_scans(place, "d", 2, 100, 1);
     workspace_write(place, "d/scene.yaml",
                     "material: tin\n"
                     "surfaces:\n"

@@ -162,8 +162,8 @@ TEST_IN_WORKSPACE(nothing_is_written_over)
         "if [ $(id -u) = 0 ]; then exec setpriv --bounding-set=-dac_override,-dac_read_search \"$0\" init d; fi; "
         "exec \"$0\" init d",
         PROGRAM, NULL};
-    process_expect_failure(process_end(process_start_list(place, by_mode, NULL)), 4, 1,
-                           "cannot write 'd/scene.yaml': Permission denied", __FILE__, __LINE__);
+    expect_failed(process_end(process_start_list(place, by_mode, NULL)), 4, 1,
+                  "cannot write 'd/scene.yaml': Permission denied");
     assert_true(workspace_can_run(place, "chmod 755 d; test ! -e d/scene.yaml"));
     workspace_folder(place, "empty");
     expect_failure(place, 4, 1, "no scan in 'empty'", "init", "empty");

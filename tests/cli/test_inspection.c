@@ -312,8 +312,7 @@ static struct process inspect_input(const char *place, const char *words)
 {
     char command[4096];
     snprintf(command, sizeof command, "exec '%s' inspect %s", PROGRAM, words);
-    const char *const arguments[] = {"/bin/sh", "-c", command, NULL};
-    return process_end(process_start_list(place, arguments, NULL));
+    return run_program(place, "/bin/sh", "-c", command);
 }
 
 /* Fails unless `first` and `second` are the same but for "file". */
@@ -335,18 +334,18 @@ TEST_IN_WORKSPACE(test_standard_input)
     expect_part(file.out, "\"file\": \"d/a.csv\"");
     static const char *const inputs[] = {"--json - <d/a.csv", "--json - <d/a.csv.gz"};
     for (size_t i = 0; i < 2; i++) {
-        struct process input = process_expect(inspect_input(place, inputs[i]), 0, __FILE__, __LINE__);
+        struct process input = expect_status(inspect_input(place, inputs[i]), 0);
         expect_part(input.out, "\"file\": \"-\"");
         expect_same(input.out, file.out);
     }
     workspace_write(place, "bad.csv", "hello\n");
-    struct process bad = process_expect(inspect_input(place, "--json - <bad.csv"), 4, __FILE__, __LINE__);
+    struct process bad = expect_status(inspect_input(place, "--json - <bad.csv"), 4);
     expect_output(bad, "\"error\": \"-: no line of numbers in it: not a scan\"");
     workspace_folder(place, "empty");
     expect_failure(place, 4, 1, "no scan in 'empty'", "inspect", "empty");
-    process_expect_failure(inspect_input(place, "- </dev/null"), 4, 1, "-: the file is empty", __FILE__, __LINE__);
-    process_expect_failure(inspect_input(place, "- <d"), 4, 1, "cannot read '-': Is a directory", __FILE__, __LINE__);
-    process_expect_failure(inspect_input(place, "- <&-"), 4, 1, "cannot read '-': ", __FILE__, __LINE__);
+    expect_failed(inspect_input(place, "- </dev/null"), 4, 1, "-: the file is empty");
+    expect_failed(inspect_input(place, "- <d"), 4, 1, "cannot read '-': Is a directory");
+    expect_failed(inspect_input(place, "- <&-"), 4, 1, "cannot read '-': ");
 }
 
 /* The scans of a directory and of its folders, as `inspect` of each says it. */

@@ -7,8 +7,7 @@
 static char *install(const char *place, const char *prefix)
 {
     char *path = lasting("%s/%s", place, prefix);
-    const char *const command[] = {CMAKE_PROGRAM, "--install", BUILD_DIRECTORY, "--prefix", path, NULL};
-    run_list(place, command);
+    (void)expect_status(run_program(place, CMAKE_PROGRAM, "--install", BUILD_DIRECTORY, "--prefix", path), 0);
     return path;
 }
 
@@ -54,9 +53,8 @@ TEST_IN_WORKSPACE(test_install)
     assert_int_equal(rename(templates, moved), 0);
     program = lasting("%s/bin/roughcontact", prefix);
     const char *const report[] = {program, "report", "d", NULL};
-    process_expect_failure(process_end(process_start_list(place, report, NULL)), 4, 1,
-                           "first/share/roughcontact/templates'; install the program with cmake --install", __FILE__,
-                           __LINE__);
+    expect_failed(process_end(process_start_list(place, report, NULL)), 4, 1,
+                  "first/share/roughcontact/templates'; install the program with cmake --install");
     assert_false(workspace_has(place, "out"));
 }
 
@@ -79,7 +77,7 @@ TEST_IN_WORKSPACE(test_uninstall)
 {
     workspace_folder(place, "new");
     install(place, "new/made/by it");
-    struct process process = process_expect(uninstall(place), 0, __FILE__, __LINE__);
+    struct process process = expect_status(uninstall(place), 0);
     assert_true(workspace_has(place, "new"));
     assert_false(workspace_has(place, "new/made"));
     process = uninstall(place); /* nothing is left to take out */
@@ -94,7 +92,7 @@ TEST_IN_WORKSPACE(test_uninstall)
     workspace_write(place, "shared/share/roughcontact/templates/.hidden", "");
     char *digest = workspace_digest(place, "shared/include/other.h");
     assert_int_equal(unlink_in(place, "shared/share/roughcontact/templates/page.html"), 0); /* gone already */
-    process = process_expect(uninstall(place), 0, __FILE__, __LINE__);
+    process = expect_status(uninstall(place), 0);
     char *left = workspace_shell(place, "cd shared && find . | LC_ALL=C sort | tr '\\n' ' '"), *again;
     assert_string_equal(left, ". ./bin ./include ./include/other.h ./share ./share/doc ./share/roughcontact "
                               "./share/roughcontact/surfaces ./share/roughcontact/surfaces/mine.csv "

@@ -54,9 +54,8 @@ TEST_IN_WORKSPACE(test_signals)
     char *before = workspace_digest(place, ".");
     static const int signals[] = {SIGINT, SIGTERM, SIGHUP};
     for (size_t i = 0; i < sizeof signals / sizeof *signals; i++) {
-        process_expect_failure(interrupt(place, signals[i]), 128 + signals[i], 1,
-                               "roughcontact: stopped by a signal; 'out/slow' is as it was before\n", __FILE__,
-                               __LINE__);
+        expect_failed(interrupt(place, signals[i]), 128 + signals[i], 1,
+                      "roughcontact: stopped by a signal; 'out/slow' is as it was before\n");
         char *after = workspace_digest(place, ".");
         hard_case("SIGINT, SIGTERM or SIGHUP while it works", "half a report over the one before",
                   "the report before stays, the status says by what it was stopped", "trees that differ",
@@ -120,9 +119,8 @@ TEST_IN_WORKSPACE(test_a_hanging_gnuplot)
         char *id = workspace_read(place, "hangs"), *name;
         assert_false(holds_staging(id));
         assert_int_equal(kill(running.pid, signals[i]), 0);
-        process_expect_failure(process_end(running), 128 + signals[i], 1,
-                               "roughcontact: stopped by a signal; 'out/slow' is as it was before\n", __FILE__,
-                               __LINE__);
+        expect_failed(process_end(running), 128 + signals[i], 1,
+                      "roughcontact: stopped by a signal; 'out/slow' is as it was before\n");
         assert_int_equal(workspace_count(place, ".roughcontact-"), 0);
         name = lasting("%s/hangs", place);
         assert_int_equal(unlink(name), 0);
@@ -179,8 +177,8 @@ TEST_IN_WORKSPACE(test_no_standard_output)
                                               {"plan", "good", "--json"}};
     for (size_t i = 0; i < sizeof commands / sizeof *commands; i++) {
         const char *const *words = commands[i];
-        process_expect_failure(staged(place, "exec >/dev/full;", words[0], words[1], words[2]), 4, 1,
-                               "cannot write to standard output: No space left on device\n", __FILE__, __LINE__);
+        expect_failed(staged(place, "exec >/dev/full;", words[0], words[1], words[2]), 4, 1,
+                      "cannot write to standard output: No space left on device\n");
     }
 }
 
@@ -210,7 +208,7 @@ TEST_IN_WORKSPACE(test_no_room)
         assert_int_equal(setrlimit(RLIMIT_FSIZE, &small), 0);
         struct process_running running = process_start(place, "report", "--no-cost", "good", "-o", "out/slow");
         assert_int_equal(setrlimit(RLIMIT_FSIZE, &usual), 0);
-        process_expect_failure(process_end(running), 4, 1, "ulimit -f", __FILE__, __LINE__);
+        expect_failed(process_end(running), 4, 1, "ulimit -f");
         expect_digest(place, ".", before);
     }
 }
@@ -222,8 +220,7 @@ TEST_IN_WORKSPACE(test_no_room_for_a_scan)
     char *before = workspace_digest(place, ".");
     static const char *const files[] = {"a.csv", "b.csv"};
     for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
-        process_expect_failure(staged(place, "ulimit -f 1;", "synth", "-o", files[i]), 4, 1, "ulimit -f", __FILE__,
-                               __LINE__);
+        expect_failed(staged(place, "ulimit -f 1;", "synth", "-o", files[i]), 4, 1, "ulimit -f");
         char *after = workspace_digest(place, ".");
         hard_case("a disk that is full within a file", "half a scan over the one before", "the file before stays",
                   "trees that differ", strcmp(before, after) != 0, 0);

@@ -40,8 +40,7 @@ static char *complete(const char *place, const char *line)
     snprintf(words, sizeof words, "%s", line);
     for (char *word; (word = strsep(&rest, " "));)
         arguments[count++] = word;
-    struct process process =
-        process_expect(process_end(process_start_list(place, arguments, NULL)), 0, __FILE__, __LINE__);
+    struct process process = expect_status(process_end(process_start_list(place, arguments, NULL)), 0);
     assert_string_equal(process.err, "");
     return process.out;
 }
@@ -289,8 +288,8 @@ TEST_IN_WORKSPACE(groff_reads_the_manual)
         print_message("no groff\n");
         skip();
     }
-    const char *const groff[] = {"groff", "-man", "-ww", "-Tutf8", PROJECT_SOURCE "/docs/roughcontact.1", NULL};
-    struct process process = process_expect(process_end(process_start_list(place, groff, NULL)), 0, __FILE__, __LINE__);
+    struct process process =
+        expect_status(run_program(place, "groff", "-man", "-ww", "-Tutf8", PROJECT_SOURCE "/docs/roughcontact.1"), 0);
     assert_string_equal(process.err, "");
     expect_part(process.out, "scene.yaml");
 }

@@ -13,8 +13,7 @@ static struct process run_within(const char *place, int megabytes, const char *l
 {
     char script[512];
     snprintf(script, sizeof script, "ulimit -v %d; exec \"$0\" %s", megabytes * 1000, line);
-    const char *const arguments[] = {"sh", "-c", script, PROGRAM, NULL};
-    return process_end(process_start_list(place, arguments, NULL));
+    return run_program(place, "sh", "-c", script, PROGRAM);
 }
 
 /** A scan that takes some 130 MB to be read. */
@@ -29,8 +28,7 @@ TEST_IN_WORKSPACE(what_is_too_large_is_said)
     NEEDS_LIMIT();
     write_large(place, "a.csv");
     for (int megabytes = 30; megabytes <= 100; megabytes += 35)
-        process_expect_failure(run_within(place, megabytes, "inspect a.csv"), 4, 1, "out of memory", __FILE__,
-                               __LINE__);
+        expect_failed(run_within(place, megabytes, "inspect a.csv"), 4, 1, "out of memory");
 }
 
 TEST_IN_WORKSPACE(a_surface_goes_aside)

@@ -68,12 +68,9 @@ TEST_IN_WORKSPACE(test_packed)
     workspace_scan(place, "2.csv", 200, 2);
     workspace_scan(place, "3.csv", 200, 1);
     struct process process =
-        process_end(process_start_list(place,
-                                       (const char *const[]){CMAKE_PROGRAM, "-E", "tar", "cf", "three.zip",
-                                                             "--format=zip", "1.csv", "2.csv", "3.csv", NULL},
-                                       NULL));
+        run_program(place, CMAKE_PROGRAM, "-E", "tar", "cf", "three.zip", "--format=zip", "1.csv", "2.csv", "3.csv");
     assert_int_equal(process.status, 0);
-    process = process_end(process_start_list(place, (const char *const[]){"gzip", "1.csv", NULL}, NULL));
+    process = run_program(place, "gzip", "1.csv");
     assert_int_equal(process.status, 0);
     expect_output(expect_exit(place, 0, "inspect", "three.zip"), "three.zip(1.csv)\n", "three.zip(2.csv)\n",
                   "three.zip(3.csv)\n");

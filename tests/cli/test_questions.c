@@ -72,18 +72,16 @@ TEST_IN_WORKSPACE(a_connector)
 TEST_IN_WORKSPACE(a_conductance)
 {
     workspace_scan(place, "d/a.csv", 400, 1);
-    workspace_write(place, "d/scene.yaml",
-                    "material: copper\ngap: {gas: air}\noperating_load: 1 MPa\n"
-                    "load: {from: 0.1 MPa, to: 10 MPa, points: 21}\n");
-    run_to_exit(place, 0, "report", "d", "--no-cost", "-o", "gap");
+    report_scene(place, "gap",
+                 "material: copper\ngap: {gas: air}\noperating_load: 1 MPa\n"
+                 "load: {from: 0.1 MPa, to: 10 MPa, points: 21}\n");
     char *page = first_page(place, "gap");
     expect_parts(page, "**At 1.00\u00a0MPa the joint conductance is ", "\u00a0W/(m²·K) (95\u00a0%: ");
     says(place, "gap", page, "headline", "markdown");
     expect_part(page, "The gaps carry ");
-    workspace_write(place, "d/scene.yaml",
-                    "material: copper\neffects: [plasticity, thermal]\noperating_load: 1 MPa\n"
-                    "load: {from: 0.1 MPa, to: 10 MPa, points: 21}\n");
-    run_to_exit(place, 0, "report", "d", "--no-cost", "-o", "bare");
+    report_scene(place, "bare",
+                 "material: copper\neffects: [plasticity, thermal]\noperating_load: 1 MPa\n"
+                 "load: {from: 0.1 MPa, to: 10 MPa, points: 21}\n");
     page = first_page(place, "bare");
     expect_part(page, "**At 1.00\u00a0MPa the contact conductance is ");
     const double shown = atof(strstr(page, "conductance is ") + strlen("conductance is "));
@@ -138,16 +136,9 @@ static size_t sheets_of(const char *place)
     char to[4200], from[4200];
     snprintf(to, sizeof to, "--print-to-pdf=%s/out.pdf", place);
     snprintf(from, sizeof from, "file://%s/out/report.html", place);
-    const char *const print[] = {"chromium",
-                                 "--headless",
-                                 "--no-sandbox",
-                                 "--disable-gpu",
-                                 "--no-pdf-header-footer",
-                                 "--generate-pdf-document-outline",
-                                 to,
-                                 from,
-                                 NULL};
-    run_list(place, print);
+    (void)expect_status(run_program(place, "chromium", "--headless", "--no-sandbox", "--disable-gpu",
+                                    "--no-pdf-header-footer", "--generate-pdf-document-outline", to, from),
+                        0);
     struct text *pdf = support_text();
     expect_ok(text_read_file, pdf, filled("%s/out.pdf", place));
     assert_true(is_printed(pdf, "The surfaces") && is_printed(pdf, "Inputs and notes"));

@@ -18,8 +18,7 @@ static double surface_number(const char *place, const char *surface, const char 
 
 TEST_IN_WORKSPACE(test_overrides)
 {
-    workspace_scan(place, "d/a.csv", 200, 1);
-    workspace_scan(place, "d/b.csv", 200, 2);
+    workspace_scans(place, "d", 2, 200, 1);
     workspace_write(place, "d/scene.yaml", "material: tin\neffects: [thermal]\ntolerance: 1e-8\n");
     run_to_exit(place, 0, "report", "d");
     expect_in_file(place, "out/d/data/contact.csv", "tcr_K_m2_per_W");
@@ -89,8 +88,7 @@ static void synthesise(const char *place, const char *alpha, const char *gamma, 
 
 TEST_IN_WORKSPACE(test_terminal)
 {
-    workspace_scan(place, "d/a.csv", 300, 1);
-    workspace_scan(place, "d/b.csv", 300, 2);
+    workspace_scans(place, "d", 2, 300, 1);
     assert_int_equal(setenv("COLUMNS", "80", 1), 0);
     struct process process = expect_exit(place, 0, "report", "d", "-m", "tin", "--show", "--verbose");
     assert_int_equal(unsetenv("COLUMNS"), 0);
@@ -137,8 +135,7 @@ TEST_IN_WORKSPACE(test_pressed_flat)
  * the figure before ended with. */
 TEST_IN_WORKSPACE(test_figures_drawn_by_hand)
 {
-    workspace_scan(place, "d/a.csv", 300, 1);
-    workspace_scan(place, "d/b.csv", 300, 2);
+    workspace_scans(place, "d", 2, 300, 1);
     run_to_exit(place, 0, "report", "d", "-m", "tin", "-o", "out", "--no-cost");
     workspace_shell(place, "cp -r out/figures again && cd again && for f in *.gp; do gnuplot \"$f\" || exit 1; done && "
                            "sed -i '/^<g fill=\"none\" color=\"#FFFFFF\"/d' *.svg ../out/figures/*.svg && "
@@ -148,8 +145,6 @@ TEST_IN_WORKSPACE(test_figures_drawn_by_hand)
 /** On a terminal, one that `script` makes, a line says how far a long stage is; it is gone at the end. */
 TEST_IN_WORKSPACE(test_progress)
 {
-    static const char *const run[] = {"script", "-qec", PROGRAM " report d -e direct -m tin --no-cost", "typescript",
-                                      NULL};
     int terminal = posix_openpt(O_RDWR | O_NOCTTY);
     if (terminal < 0) {
         print_message("[  SKIPPED ] no pseudo-terminals here\n");
@@ -160,7 +155,8 @@ TEST_IN_WORKSPACE(test_progress)
     workspace_write(place, "d/scene.yaml",
                     "load: {from: 1e-4, to: 1e-2, points: 5}\n"
                     "direct: {grid: 64, seeds: 4, loads: 3}\n");
-    run_list(place, run);
+    (void)expect_status(
+        run_program(place, "script", "-qec", PROGRAM " report d -e direct -m tin --no-cost", "typescript"), 0);
     char *seen = workspace_read(place, "typescript");
     expect_parts(seen, "\r\033[Kmodels of a: 0 %", "\r\033[Kdirect solution of a: 0 %", " s left\r\033[K");
     double before = -1; /* it grows, and ends before it is full */

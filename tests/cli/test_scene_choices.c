@@ -8,8 +8,7 @@ TEST_IN_WORKSPACE(a_scene_brings_its_template)
     workspace_scan(place, "d/a.csv", 200, 1);
     workspace_write(place, "d/own.md", "Mine: {{title}}\n");
     workspace_write(place, "other.md", "Other: {{title}}\n");
-    workspace_write(place, "d/scene.yaml", "title: T\ntemplate: own.md\n");
-    run_to_exit(place, 0, "report", "d", "--no-cost", "-o", "o");
+    report_scene(place, "o", "title: T\ntemplate: own.md\n");
     expect_in_file(place, "o/report.md", "Mine: T");
     run_to_exit(place, 0, "report", "d", "--no-cost", "-o", "o", "--template", "other.md");
     expect_in_file(place, "o/report.md", "Other: T");
@@ -59,8 +58,7 @@ TEST_IN_WORKSPACE(no_dearer_model_than_the_accuracy_asks_for)
     };
     workspace_scan(place, "d/a.csv", 400, 1);
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        workspace_write(place, "d/scene.yaml", filled("material: tin\naccuracy: %s\n", cases[i].accuracy));
-        run_to_exit(place, 0, "report", "d", "--no-cost", "-o", "o");
+        report_scene(place, "o", filled("material: tin\naccuracy: %s\n", cases[i].accuracy));
         expect_in_file(place, "o/report.md", cases[i].says);
         json_t *results = workspace_json(place, "o/results.json");
         assert_string_equal(json_string_value(json_object_get(results, "leading")), cases[i].model);
@@ -70,8 +68,7 @@ TEST_IN_WORKSPACE(no_dearer_model_than_the_accuracy_asks_for)
     }
     run_to_exit(place, 0, "report", "d", "--no-cost", "-o", "o", "--accuracy", "290 %");
     expect_in_file(place, "o/report.md", "Gaussian heights with hardness is the cheapest");
-    workspace_write(place, "d/scene.yaml", "material: tin\n");
-    run_to_exit(place, 0, "report", "d", "--no-cost", "-o", "o");
+    report_scene(place, "o", "material: tin\n");
     expect_not_in_file(place, "o/report.md", "the cheapest model");
 }
 
@@ -114,17 +111,14 @@ TEST_IN_WORKSPACE(a_gap_is_asked_for)
     for (int scan = 1; scan <= 3; scan++)
         workspace_scan(place, filled("d/a-%d.csv", scan), 400, (unsigned)scan);
     snprintf(head, sizeof head, "material: tin\nnominal_area: 1 mm2\nsurfaces: [{name: a, file: 'a-*.csv'}]\n");
-    workspace_write(place, "d/scene.yaml",
-                    filled("%starget%s: [{gap: 0.1 um}]\nlimits: {gap: {least: 1 nm}}\n", head, "s"));
-    run_to_exit(place, 0, "report", "d", "--no-cost", "-o", "o");
+    report_scene(place, "o", filled("%starget%s: [{gap: 0.1 um}]\nlimits: {gap: {least: 1 nm}}\n", head, "s"));
     expect_in_file(place, "o/report.md", "**To reach 0.1\u00a0µm, *a* needs ", "✓ met");
     struct table answers = workspace_table(place, "o/data/answers.csv"), contact;
     size_t row = 0;
     while (strcmp(table_text(&answers, row, "model"), "strip-plastic") != 0)
         row++;
     double load = table_number(&answers, row, "load_over_AnEp");
-    workspace_write(place, "d/scene.yaml", filled("%sload: {values: [%.17g]}\n", head, load));
-    run_to_exit(place, 0, "report", "d", "--no-cost", "-o", "o");
+    report_scene(place, "o", filled("%sload: {values: [%.17g]}\n", head, load));
     contact = workspace_table(place, "o/data/contact.csv");
     for (row = 0; strcmp(table_text(&contact, row, "model"), "strip-plastic") != 0;)
         row++;
@@ -153,8 +147,7 @@ static double factor_of(const json_t *view, const char *effect)
 TEST_IN_WORKSPACE(effects_say_what_they_change)
 {
     workspace_scan(place, "d/a.csv", 400, 1);
-    workspace_write(place, "d/scene.yaml", "material: tin\nload: {values: [1e-5]}\nfilm: 3e-10 ohm m2\n");
-    run_to_exit(place, 0, "report", "d", "--no-cost", "-o", "o");
+    report_scene(place, "o", "material: tin\nload: {values: [1e-5]}\nfilm: 3e-10 ohm m2\n");
     struct table contact = workspace_table(place, "o/data/contact.csv");
     double bare[2] = {NAN, NAN}, joint = NAN;
     for (size_t r = 0; r < contact.rows; r++) {
