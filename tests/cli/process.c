@@ -162,6 +162,13 @@ size_t table_find(const struct table *table, size_t from, const char *column, co
     return from;
 }
 
+void expect_narrow(const char *text)
+{
+    for (; *text; text += strcspn(text, "\n"), text += *text == '\n')
+        if (text_width(text, strcspn(text, "\n")) > 80)
+            fail_msg("wider than 80 columns: %.200s", text);
+}
+
 size_t times(const char *text, const char *part)
 {
     size_t count = 0;

@@ -78,6 +78,8 @@ size_t table_find(const struct table *table, size_t from, const char *column, co
 void process_expect_failure(struct process process, int status, size_t lines, const char *message, const char *file,
                             int line);
 
+/** Fails the test where a line does not fit a terminal of 80 columns. */
+void expect_narrow(const char *text);
 /** How often a part stands in a text. */
 size_t times(const char *text, const char *part);
 #define expect_part(text, part)    expect_parts((text), (part))

@@ -81,16 +81,6 @@ TEST_IN_WORKSPACE(test_usage)
     expect_part(process.err, "Usage: roughcontact COMMAND");
 }
 
-/** Every line fits a terminal of 80 columns. */
-static void expect_narrow(const char *out)
-{
-    for (const char *line = out; *line; line += strcspn(line, "\n") + 1) {
-        const char *one = filled("%.*s", (int)strcspn(line, "\n"), line);
-        if (text_characters(one) > 80)
-            fail_msg("%d columns: %s", text_characters(one), one);
-    }
-}
-
 TEST_IN_WORKSPACE(test_tables_are_narrow)
 {
     static const char *const commands[] = {"models", "materials"};
@@ -158,8 +148,7 @@ TEST_IN_WORKSPACE(test_inspect)
     assert_int_equal(setenv("COLUMNS", "80", 1), 0);
     struct process process = expect_exit(place, 0, "inspect", "--chart", "a.csv");
     expect_part(process.out, "profile");
-    for (const char *line = strstr(process.out, "z (um)"); *line; line += strcspn(line, "\n") + 1)
-        assert_true(strcspn(line, "\n") <= 80);
+    expect_narrow(strstr(process.out, "z (um)"));
     process = expect_exit(place, 0, "inspect", "a.csv");
     expect_no_part(process.out, "z (um)");
 
