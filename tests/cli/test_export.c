@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Tables for other programs: each is read back as that program would and holds the numbers of data/; CalculiX, where
- * it is installed, conducts with them. */
+/* Tables for other programs: each is read back as that program would and has the numbers of data/. CalculiX, if
+ * installed, computes with them. */
 #include "cli/process.h"
 
 enum { TABLES = 6, POINTS = 13, ROWS = 20 /* for CalculiX, at most */, NUMBERS = 16 };
@@ -11,8 +11,21 @@ struct place_of {
     const char *section, *stop, *prefix;
     int pressure, value; /* columns; the same one: of two lines, whose column before is 0 and 1 */
 };
-#define APDL(name) "*DIM," name ",TABLE,14,1,1,PRESSURE\n", "*", name "(", 2, 2
-#define SIF(name)  "\n" name " = Variable \"Contact Pressure\"\n  Real\n", "  End", "", 0, 1
+#define ABAQUS(head)                                                                                                   \
+    {head, "*", "", 1, 0}, {head, "*GAP", "**low ", 1, 0},                                                             \
+    {                                                                                                                  \
+        head, "*GAP", "**high ", 1, 0                                                                                  \
+    }
+#define APDL_ONE(name)                                                                                                 \
+    {                                                                                                                  \
+        "*DIM," name ",TABLE,14,1,1,PRESSURE\n", "*", name "(", 2, 2                                                   \
+    }
+#define APDL(name) APDL_ONE(name), APDL_ONE(name "_LOW"), APDL_ONE(name "_HIGH")
+#define SIF_ONE(name)                                                                                                  \
+    {                                                                                                                  \
+        "\n" name " = Variable \"Contact Pressure\"\n  Real\n", "  End", "", 0, 1                                      \
+    }
+#define SIF(name) SIF_ONE(name), SIF_ONE(name " Low"), SIF_ONE(name " High")
 #define COLUMNS(head)                                                                                                  \
     {head, NULL, "", 0, 1}, {head, NULL, "", 0, 2}, {head, NULL, "", 0, 3}, {head, NULL, "", 0, 4},                    \
         {head, NULL, "", 0, 5},                                                                                        \
@@ -30,27 +43,9 @@ static const struct format {
       {NULL, NULL, "**electrical ", 1, 0},
       {NULL, NULL, "**electrical_low ", 1, 0},
       {NULL, NULL, "**electrical_high ", 1, 0}}},
-    {"abaqus.inp",
-     {{"*GAP CONDUCTANCE, PRESSURE", "*", "", 1, 0},
-      {"*GAP CONDUCTANCE, PRESSURE", "*GAP", "**low ", 1, 0},
-      {"*GAP CONDUCTANCE, PRESSURE", "*GAP", "**high ", 1, 0},
-      {"*GAP ELECTRICAL CONDUCTANCE, PRESSURE", "*", "", 1, 0},
-      {"*GAP ELECTRICAL CONDUCTANCE, PRESSURE", "*GAP", "**low ", 1, 0},
-      {"*GAP ELECTRICAL CONDUCTANCE, PRESSURE", "*GAP", "**high ", 1, 0}}},
-    {"ansys.mac",
-     {{APDL("RC1_TCC")},
-      {APDL("RC1_TCC_LOW")},
-      {APDL("RC1_TCC_HIGH")},
-      {APDL("RC1_ECC")},
-      {APDL("RC1_ECC_LOW")},
-      {APDL("RC1_ECC_HIGH")}}},
-    {"elmer.sif",
-     {{SIF("Heat Gap Coefficient")},
-      {SIF("Heat Gap Coefficient Low")},
-      {SIF("Heat Gap Coefficient High")},
-      {SIF("Electric Gap Coefficient")},
-      {SIF("Electric Gap Coefficient Low")},
-      {SIF("Electric Gap Coefficient High")}}},
+    {"abaqus.inp", {ABAQUS("*GAP CONDUCTANCE, PRESSURE"), ABAQUS("*GAP ELECTRICAL CONDUCTANCE, PRESSURE")}},
+    {"ansys.mac", {APDL("RC1_TCC"), APDL("RC1_ECC")}},
+    {"elmer.sif", {SIF("Heat Gap Coefficient"), SIF("Electric Gap Coefficient")}},
     {"moose.csv",
      {COLUMNS("pressure_Pa,h_W_per_m2K,h_low_W_per_m2K,h_high_W_per_m2K,g_S_per_m2,g_low_S_per_m2,g_high_S_per_m2\n")}},
     {"comsol.txt",
@@ -117,7 +112,7 @@ TEST_IN_WORKSPACE(each_is_read_back)
     static const char *const columns[] = {"tcr_K_m2_per_W", "ecr_ohm_m2"};
     static const char *const ends[] = {"", "_mean_high_95", "_mean_low_95"}; /* of a resistance */
     for (size_t f = 0; f < sizeof formats / sizeof *formats; f++) {
-        char path[64], column[64];
+        char column[64];
         double pressure[ROWS], value[ROWS];
         char *text = workspace_read(place, filled("o/export/plain.%s", formats[f].file));
         expect_parts(text, "surface: plain\n", "it holds from 100000 Pa to ", " Pa", "Units: N, m, s, J, K.\n",
@@ -135,9 +130,8 @@ TEST_IN_WORKSPACE(each_is_read_back)
             }
         }
         text = workspace_read(place, filled("o/export/_STEP_____~2.%s", formats[f].file));
-        expect_part(text, "surface: _STEP ____\n");                        /* nothing that any program would compute */
-        snprintf(path, sizeof path, "o/export/_rf~3.%s", formats[f].file); /* no name that is read as an option */
-        assert_true(workspace_has(place, path));
+        expect_part(text, "surface: _STEP ____\n"); /* nothing that any program would compute */
+        assert_true(workspace_has(place, filled("o/export/_rf~3.%s", formats[f].file))); /* no option's name */
     }
     assert_int_equal(workspace_count(place, "-"), 0);
     struct table surfaces = workspace_table(place, "o/data/surfaces.csv");
@@ -148,7 +142,7 @@ TEST_IN_WORKSPACE(each_is_read_back)
     expect_in_file(place, "o/report.md", "For other programs", "export/plain.ansys.mac,", "export/plain.moose.csv");
 }
 
-/* Air conducts where nothing touches; film stands in the way of a current alone. */
+/* Air conducts heat where nothing touches; a film adds to the electrical resistance only. */
 TEST_IN_WORKSPACE(what_is_in_the_joint_is_in_the_tables)
 {
     static const char head[] = "| TCC, with gaps (W/(mm";
@@ -180,7 +174,7 @@ TEST_IN_WORKSPACE(what_is_in_the_joint_is_in_the_tables)
     expect_in_file(place, "o/report.md", "| TCC (W/(mm");
 }
 
-/* A megapascal, and what it conducts in mW/(mm2 K) and S/mm2. */
+/* In millimetres: pressures in MPa, conductances in mW/(mm2 K) and S/mm2. */
 TEST_IN_WORKSPACE(decks_in_millimetres)
 {
     static const double of_SI[] = {1e-3, 1e-6};
@@ -208,7 +202,7 @@ TEST_IN_WORKSPACE(decks_in_millimetres)
     expect_failure(place, 2, 1, "moose; :mm behind one gives N, mm, s", "report", "d", "--export", "fluent:mm");
 }
 
-/* Of a thousand points those that CalculiX takes: no pressure, both ends, and others evenly between. */
+/* CalculiX takes twenty rows of a thousand: pressure 0, both ends, and others spaced evenly between. */
 TEST_IN_WORKSPACE(calculix_takes_twenty_rows)
 {
     make_scene(place, 1000, "export: calculix\n");

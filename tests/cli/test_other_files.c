@@ -2,12 +2,6 @@
 /* What lies beside scans, and scans in archives. */
 #include "cli/process.h"
 
-static void expect_same_files(const char *place, const char *one, const char *other)
-{
-    char *left = workspace_read(place, one), *right = workspace_read(place, other);
-    assert_string_equal(left, right);
-}
-
 /** Writes bytes that may hold NUL. */
 static void write_bytes(const char *place, const char *path, const char *bytes, size_t length)
 {
@@ -33,7 +27,7 @@ static const char others[] = "passed over, no scan: 1 x JPEG picture (photo.jpg)
                              "passed over, no scans: 2 x text (README.md, plot.py)\n"
                              "passed over, no scan: 1 x text without a row of numbers (notes.txt)\n";
 
-/* Found in a directory they are passed over and told; named in a scene they are refused. */
+/* Files that are no scans are passed over in a directory, with a message, and refused where a scene names them. */
 TEST_IN_WORKSPACE(test_passed_over)
 {
     workspace_scan(place, "d/1.csv", 200, 1);
@@ -76,10 +70,8 @@ TEST_IN_WORKSPACE(test_packed)
                   "three.zip(3.csv)\n");
     expect_output(expect_exit(place, 0, "inspect", "1.csv.gz"), "points      200");
 
-    char *name = NULL;
-    name = lasting("%s/three.zip", place);
     struct text *bytes = support_text();
-    expect_ok(text_read_file, bytes, name);
+    expect_ok(text_read_file, bytes, directory_path(place, "three.zip"));
     /* one of three scans of a surface damaged: the others are read, as from files, and it is named */
     char *second = memmem(bytes->data, bytes->length, "2.csv", 5);
     assert_non_null(second);
@@ -96,5 +88,5 @@ TEST_IN_WORKSPACE(test_packed)
     workspace_scan(place, "df/3.csv", 200, 1);
     workspace_write(place, "df/scene.yaml", "surfaces: [{name: s, file: [1.csv, 3.csv]}]\n");
     run_to_exit(place, 0, "report", "--no-cost", "df");
-    expect_same_files(place, "out/dz/data/contact.csv", "out/df/data/contact.csv");
+    directory_expect_same(place, "out/dz/data/contact.csv", "out/df/data/contact.csv");
 }
