@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Small files that would fill a memory or take for ever, and things in a directory that are no files: the program says
- * what is wrong with each within a bounded memory and time of the processor. */
+/* Small files that unpack to gigabytes or announce them, and entries of a directory that are no files: the program
+ * refuses each within little memory and processor time. */
 #include "base/limits.h"
 #include "cli/process.h"
 #include "hard_case.h"
@@ -29,7 +29,7 @@ static rlim_t set_limit(__rlimit_resource_t resource, rlim_t value)
     return before;
 }
 
-/* Runs the program with little memory and time, which it inherits. */
+/* Runs the program with little memory and time. */
 static struct process run_bounded(const char *place, const char *const *arguments)
 {
     rlim_t own_memory = set_limit(RLIMIT_AS, memory), own_seconds = set_limit(RLIMIT_CPU, seconds);
@@ -66,12 +66,10 @@ static void expect_refused(const char *place, struct text *text, const char *mes
 
 static const char *limit_message(enum limit limit)
 {
-    static struct limit_words words;
-    words = limit_words(limit);
-    return words.text;
+    return filled("%s", limit_words(limit).text);
 }
 
-/* 64 entries of one stream of 4 MiB; and the same where each stream begins within the one before. */
+/* 64 entries of an archive that are one stream of 4 MiB; and a stored entry that holds the whole of the next. */
 TEST_IN_WORKSPACE(test_shared_streams)
 {
     enum { ENTRIES = 64, SIZE = 4 << 20 };
@@ -84,7 +82,6 @@ TEST_IN_WORKSPACE(test_shared_streams)
     }
     struct text text = zip_of(all, ENTRIES);
     expect_refused(place, &text, "entries of the archive share their bytes");
-    /* a stored entry that holds the whole of the next */
     struct packed inner = pack("b.csv", zeros, SIZE, true);
     struct text archive = zip_of(&inner, 1);
     size_t local = 30 + strlen("b.csv") + inner.bytes.length;
@@ -162,7 +159,7 @@ static struct text deflated_with_zeros(const struct text *heights, size_t zeros)
     return text;
 }
 
-/* Of a file of points no more is unpacked than main.xml says there are, though it holds 4 MB; 600 MB are refused. */
+/* Of a file of points only as many are unpacked as main.xml announces, though it holds 4 MB; 600 MB are refused. */
 TEST_IN_WORKSPACE(test_points_as_announced)
 {
     enum { POINTS = 4096, FEW = 4 << 20, ZEROS = 600 << 20 };
@@ -196,7 +193,7 @@ TEST_IN_WORKSPACE(test_points_as_announced)
               512);
 }
 
-/* Headers that say more than any file holds. */
+/* Headers that announce more points than any file holds. */
 TEST_IN_WORKSPACE(test_lying_headers)
 {
     static const char *const texts[] = {
@@ -246,17 +243,7 @@ static void make_socket(const char *place, const char *name)
     close(descriptor);
 }
 
-static void make_pipe(const char *place, const char *name)
-{
-    assert_int_equal(mkfifo(directory_path(place, name), 0666), 0);
-}
-
-static void make_link(const char *place, const char *name, const char *to)
-{
-    assert_int_equal(symlink(to, directory_path(place, name)), 0);
-}
-
-/* Rows are counted over all that a scene names. */
+/* The limit of measured rows holds for all files of a scene together. */
 TEST_IN_WORKSPACE(test_measured_again_and_again)
 {
     struct text *rows = support_text();
@@ -274,24 +261,25 @@ TEST_IN_WORKSPACE(test_measured_again_and_again)
     expect_part(process.err, "too many rows of all that was measured");
 }
 
-/* Pipes, sockets, devices and links in circles lie in a directory; folders in folders lead nowhere. */
+/* A directory with pipes, sockets, devices, circular links, and folders nested a thousand deep. */
 TEST_IN_WORKSPACE(test_no_files)
 {
+    static const char *const links[][2] = {{"zero.csv", "/dev/zero"},
+                                           {"terminal.csv", "/dev/tty"},
+                                           {"self.csv", "self.csv"},
+                                           {"circle", "."},
+                                           {"up", ".."}};
+    static const char *const folders[] = {"d", "d/s"};
     char path[4096];
     workspace_scan(place, "d/a.csv", 200, 1);
     workspace_scan(place, "d/s/b.csv", 200, 2);
-    static const char *const folders[] = {"d", "d/s"};
     for (size_t i = 0; i < 2; i++) {
-        char name[64];
-#define NAME(end) (snprintf(name, sizeof name, "%s/%s", folders[i], end), name)
-        make_pipe(place, NAME("pipe.csv"));
-        make_pipe(place, NAME("a.txt"));
-        make_socket(place, NAME("socket.csv"));
-        make_link(place, NAME("zero.csv"), "/dev/zero");
-        make_link(place, NAME("terminal.csv"), "/dev/tty");
-        make_link(place, NAME("self.csv"), "self.csv");
-        make_link(place, NAME("circle"), ".");
-        make_link(place, NAME("up"), "..");
+        const char *folder = folders[i];
+        assert_int_equal(mkfifo(directory_path(place, filled("%s/pipe.csv", folder)), 0666), 0);
+        assert_int_equal(mkfifo(directory_path(place, filled("%s/a.txt", folder)), 0666), 0);
+        make_socket(place, filled("%s/socket.csv", folder));
+        for (size_t l = 0; l < sizeof links / sizeof *links; l++)
+            assert_int_equal(symlink(links[l][1], directory_path(place, filled("%s/%s", folder, links[l][0]))), 0);
     }
     snprintf(path, sizeof path, "%s/d/deep", place);
     for (size_t depth = 0; depth < 1000; depth++) {
@@ -317,12 +305,12 @@ TEST_IN_WORKSPACE(test_no_files)
     alarm(0);
 }
 
-/* A file that is replaced by a pipe after the scene was read is not waited for either: all reading goes this way. */
+/* A file that is replaced by a pipe after the scene was read is not waited for: text_read_file() reads every file. */
 TEST_IN_WORKSPACE(test_reading_a_pipe)
 {
     struct text *text = support_text();
     struct status status = {0};
-    make_pipe(place, "pipe");
+    assert_int_equal(mkfifo(directory_path(place, "pipe"), 0666), 0);
     alarm(250);
     assert_int_equal(text_read_file(text, directory_path(place, "pipe"), &status), STATUS_IO);
     alarm(0);
