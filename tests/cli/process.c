@@ -113,11 +113,6 @@ struct process process_expect(struct process process, int status, const char *fi
     return process;
 }
 
-void process_expect_only(struct process process, int status, const char *file, int line)
-{
-    process_expect(process, status, file, line);
-}
-
 struct process process_report(const char *place, const char *out, const char *scene, const char *file, int line)
 {
     if (scene)
@@ -283,7 +278,7 @@ void process_expect_numbers(const char *text, const char *where)
     }
 }
 
-/* What must stand nowhere; what is not in the list is ASCII or may be seen. */
+/* Characters that must not be written: controls, and those that are not visible. */
 static bool is_forbidden(unsigned long code)
 {
     return (code < 0x20 && code != '\n' && code != '\t') || (code >= 0x7f && code < 0xa0) || code == 0xad ||

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The program short of memory: one line says so, and what does not fit is all that is lost. */
+/* Short of memory the program says so in one line, and loses only what does not fit. */
 #include "cli/process.h"
 
 #ifdef __SANITIZE_ADDRESS__
@@ -11,8 +11,7 @@
 /** Runs the program, as `line` says, with so many MB of addresses. */
 static struct process run_within(const char *place, int megabytes, const char *line)
 {
-    char script[512];
-    snprintf(script, sizeof script, "ulimit -v %d; exec \"$0\" %s", megabytes * 1000, line);
+    const char *script = filled("ulimit -v %d; exec \"$0\" %s", megabytes * 1000, line);
     return run_program(place, "sh", "-c", script, PROGRAM);
 }
 

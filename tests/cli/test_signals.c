@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Whatever the program is doing when a signal comes, it ends, with all that it has started and made. */
+/* Whatever the program does when a signal comes, it ends, and so does all that it started; what it made is removed. */
 #include "base/clock.h"
 #include "base/program.h"
 #include "base/temporary.h"
@@ -40,7 +40,7 @@ static void begin(pid_t process)
         _exit(71);
 }
 
-/* Never looks at what it is asked, and goes on writing. */
+/* Ignores the request to stop, and goes on writing. */
 static int deaf(int argc, char **argv)
 {
     char stubborn[] = "trap '' INT TERM HUP; exec sleep 1000"; /* no signal but SIGKILL ends it */
@@ -61,7 +61,7 @@ static int deaf(int argc, char **argv)
     }
 }
 
-/* Ends in order when it is asked. */
+/* Ends in order when it is asked to. */
 static int orderly(int argc, char **argv)
 {
     (void)argc, (void)argv;
@@ -99,7 +99,7 @@ static int hangs(int argc, char **argv)
     return 73;
 }
 
-/* Has asked for far more time than anybody waits. */
+/* Asks for more time than anybody waits. */
 static int slow(int argc, char **argv)
 {
     (void)signals_stop(1000000);
@@ -213,7 +213,8 @@ SIGNAL_TEST(what_does_not_listen_is_ended)
     }
 }
 
-/* What listens ends in order, a second signal ends at once, what is begun is finished, nothing asked is no time. */
+/* A program that listens ends in order; a second signal ends it at once; what must not be half done is finished; a
+ * program that asked for no time ends at once. */
 SIGNAL_TEST(each_has_the_time_it_asked_for)
 {
     static const struct {
@@ -241,7 +242,7 @@ SIGNAL_TEST(the_status_is_that_of_a_body_that_ends)
     assert_string_equal(end.said, "");
 }
 
-/* Some leave SIGCHLD ignored to what they start; how a program ended would then be lost, and its id be another's. */
+/* A parent may leave SIGCHLD ignored. Then it would be lost how a program ended, and its id could be reused. */
 SIGNAL_TEST(what_was_started_is_known_to_have_ended)
 {
     int end;
@@ -275,7 +276,7 @@ SIGNAL_TEST(an_ignored_signal_stays_ignored)
     assert_signalled(run(orderly, SIGHUP, 1).state, SIGHUP);
 }
 
-/* kill -9 leaves no time for anything; who was started goes all the same. */
+/* kill -9 leaves no time for anything; what it had started ends all the same. */
 SIGNAL_TEST(a_killed_program_takes_others_with_it)
 {
     struct end end = run(deaf, SIGKILL, 1);
