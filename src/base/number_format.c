@@ -20,7 +20,7 @@ static void add_power_of_ten(struct text *out, int exponent)
         text_add(out, "%s", superscripts[*digit - '0']);
 }
 
-/** Plain notation reads well for these decimal exponents, where it does not show digits that were not asked for. */
+/** Is plain notation easy to read, without showing more digits than asked for? */
 static bool reads_plain(int exponent, int digits)
 {
     return exponent >= -3 && exponent <= (digits < 5 && digits > 2 ? 3 : 4);
