@@ -2,6 +2,9 @@
 #include "cli/process.h"
 
 #include "base/hash.h"
+#include "contact/effect.h"
+#include "contact/model.h"
+#include "material/material.h"
 #include "profile/synth.h"
 #include <ctype.h>
 #include <errno.h>
@@ -148,6 +151,34 @@ const char *json_text_at(const json_t *json, const char *path)
     return json_string_value(json_at(json, path));
 }
 
+static bool is_row_name(const char *key, bool properties)
+{
+    bool is = strcmp(key, "area") == 0; /* the base of the table of work */
+    for (size_t m = 0; m < model_count; m++)
+        is = is || strcmp(key, model_rows[m]->name) == 0;
+    for (size_t p = 0; p < material_property_count && !properties; p++)
+        is = is || strcmp(key, material_properties[p].key) == 0;
+    for (int e = 0; e < EFFECT_COUNT; e++)
+        is = is || strcmp(key, effect_rows[e].name) == 0;
+    return is;
+}
+
+size_t expect_keys_described(const char *document, json_t *json, bool properties)
+{
+    size_t keys = 0, index;
+    const char *key;
+    json_t *value;
+    json_object_foreach(json, key, value)
+    {
+        if (!is_row_name(key, properties))
+            expect_part(document, filled("`%s`", key));
+        keys += 1 + expect_keys_described(document, value, properties);
+    }
+    if (json_is_array(json))
+        json_array_foreach(json, index, value) keys += expect_keys_described(document, value, properties);
+    return keys;
+}
+
 size_t table_find(const struct table *table, size_t from, const char *column, const char *text)
 {
     while (from < table->rows && strcmp(table_text(table, from, column), text) != 0)
@@ -205,6 +236,12 @@ void workspace_scans(const char *place, const char *folder, unsigned count, size
 {
     for (unsigned i = 0; i < count; i++)
         workspace_scan(place, filled("%s/%c.csv", folder, (char)('a' + i)), points, seed + i);
+}
+
+void workspace_write_bytes(const char *place, const char *path, const char *bytes, size_t length)
+{
+    workspace_write(place, path, ""); /* makes its folder */
+    expect_ok(text_write_file, directory_path(place, path), bytes, length);
 }
 
 static int by_name(const FTSENT **a, const FTSENT **b)

@@ -64,6 +64,9 @@ double json_number_at(const json_t *json, const char *path);
 const char *json_text_at(const json_t *json, const char *path);
 /** The first row, from `from` on, with this text in a column; fails the test where there is none. */
 size_t table_find(const struct table *table, size_t from, const char *column, const char *text);
+/** Fails the test unless a document has each key of a JSON value in backquotes, but for names of models and effects
+ * and, unless `properties`, of materials' properties. Returns how many keys there are. */
+size_t expect_keys_described(const char *document, json_t *json, bool properties);
 /** What a process wrote to stdout: a JSON value and nothing else; or fails the test. */
 #define process_json(process) support_json((process).out)
 /** Runs any program, which must end with 0. */
@@ -98,6 +101,7 @@ size_t workspace_expect_numbers(const char *place, const char *path);
 #define workspace_table  directory_table
 #define workspace_read   directory_read
 #define workspace_json   directory_json
+void workspace_write_bytes(const char *place, const char *path, const char *bytes, size_t length);
 /** Writes a rough scan of `points` points with units in its header; another `seed`, another surface. */
 void workspace_scan(const char *place, const char *path, size_t points, unsigned seed);
 /** The same of a.csv, b.csv, ... in `folder`, `count` of them, from that seed on. */

@@ -166,8 +166,8 @@ TEST_IN_WORKSPACE(test_copies_of_a_bad_scan)
     workspace_scan(place, "d/s/1.csv", 200, 1);
     workspace_scan(place, "d/s/2.csv", 200, 1);
     workspace_write(place, "d/scene.yaml", "lambda_c: 1 km\n");
-    struct process process = expect_exit(place, 4, "report", "d", "--no-cost");
-    expect_parts(process.err, "s/1.csv: lambda_c is 1000 m, ", "s/2.csv: lambda_c is 1000 m, ");
+    expect_errors(expect_exit(place, 4, "report", "d", "--no-cost"), "s/1.csv: lambda_c is 1000 m, ",
+                  "s/2.csv: lambda_c is 1000 m, ");
     workspace_write(place, "d/scene.yaml", "material: tin\n");
     run_to_exit(place, 0, "report", "d", "--no-cost");
 }

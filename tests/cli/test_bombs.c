@@ -41,14 +41,6 @@ static struct process run_bounded(const char *place, const char *const *argument
 
 #define RUN(place, ...) run_bounded((place), (const char *const[]){PROGRAM, __VA_ARGS__, NULL})
 
-/* Frees them. */
-static void write_bytes(const char *place, const char *name, struct text *bytes)
-{
-    assert_false(bytes->failed);
-    expect_ok(text_write_file, directory_path(place, name), text_string(bytes), bytes->length);
-    text_free(bytes);
-}
-
 /* The largest memory that any program had so far [MB]; not known where a sanitizer has its own. */
 static double megabytes(void)
 {
@@ -60,7 +52,8 @@ static double megabytes(void)
 /* Writes the bytes to a file, which `inspect` has to refuse with one line that holds `message`. Frees them. */
 static void expect_refused(const char *place, struct text *text, const char *message)
 {
-    write_bytes(place, "hostile", text);
+    workspace_write_bytes(place, "hostile", text_string(text), text->length);
+    text_free(text);
     expect_failed(RUN(place, "inspect", "--x-unit", "um", "--z-unit", "um", "hostile"), 4, 1, message);
 }
 
@@ -180,7 +173,8 @@ TEST_IN_WORKSPACE(test_points_as_announced)
                                      .size = heights->length + zeros,
                                      .at = SIZE_MAX}};
         struct text text = zip_of(members, 2);
-        write_bytes(place, "a.x3p", &text);
+        workspace_write_bytes(place, "a.x3p", text.data, text.length);
+        text_free(&text);
         if (few)
             expect_output(expect_status(RUN(place, "inspect", "a.x3p"), 0), "4096");
         else

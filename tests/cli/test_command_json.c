@@ -23,38 +23,9 @@ static json_t *find(const json_t *array, const char *key, const char *name)
     return NULL;
 }
 
-/** Names of models and materials' properties are keys that docs/commands.md need not list. */
-static bool is_row_name(const char *key)
-{
-    for (size_t m = 0; m < model_count; m++)
-        if (strcmp(key, model_rows[m]->name) == 0)
-            return true;
-    for (size_t p = 0; p < material_property_count; p++)
-        if (strcmp(key, material_properties[p].key) == 0)
-            return true;
-    return false;
-}
-
-static size_t check_described(const char *document, json_t *json)
-{
-    size_t keys = 0, index;
-    const char *key;
-    json_t *value;
-    json_object_foreach(json, key, value)
-    {
-        if (!is_row_name(key))
-            expect_part(document, filled("`%s`", key));
-        keys += 1 + check_described(document, value);
-    }
-    if (json_is_array(json))
-        json_array_foreach(json, index, value) keys += check_described(document, value);
-    return keys;
-}
-
 static void expect_described(json_t *json)
 {
-    char *document = workspace_read(PROJECT_SOURCE, "docs/commands.md");
-    assert_true(check_described(document, json) > 0);
+    assert_true(expect_keys_described(workspace_read(PROJECT_SOURCE, "docs/commands.md"), json, false) > 0);
 }
 
 /* `models` and `materials`: each text in the JSON also stands in the printed table. */

@@ -248,8 +248,8 @@ TEST_IN_WORKSPACE(each_report_speaks_by_its_leading_model)
     at(view, "reports.0.label", "\"strip transfer with hardness\"");
     at(view, "models.1.label", "\"strip transfer\"");
     at(view, "without.0", "");
-    struct process three = expect_exit(place, 0, "compare", "elastic", "gw", "hard");
-    expect_part(three.out, "No number, hence not ranked: s of report 2.\n");
+    expect_output(expect_exit(place, 0, "compare", "elastic", "gw", "hard"),
+                  "No number, hence not ranked: s of report 2.\n");
     view = process_json(expect_exit(place, 0, "compare", "elastic", "gw", "hard", "--json"));
     at(view, "ranking.lines.2", "");
     at(view, LINE(1, "report"), "1");

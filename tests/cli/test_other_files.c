@@ -2,19 +2,11 @@
 /* What lies beside scans, and scans in archives. */
 #include "cli/process.h"
 
-/** Writes bytes that may hold NUL. */
-static void write_bytes(const char *place, const char *path, const char *bytes, size_t length)
-{
-    const char *whole = lasting("%s/%s", place, path);
-    workspace_write(place, path, "");
-    expect_ok(text_write_file, whole, bytes, length);
-}
-
 static void write_others(const char *place)
 {
-    write_bytes(place, "d/photo.jpg", "\xff\xd8\xff\xe0\0\0", 6);
-    write_bytes(place, "d/b.png", "\x89PNG\r\n\x1a\n\0\0", 10);
-    write_bytes(place, "d/a.png", "\x89PNG\r\n\x1a\n\0\0", 10);
+    workspace_write_bytes(place, "d/photo.jpg", "\xff\xd8\xff\xe0\0\0", 6);
+    workspace_write_bytes(place, "d/b.png", "\x89PNG\r\n\x1a\n\0\0", 10);
+    workspace_write_bytes(place, "d/a.png", "\x89PNG\r\n\x1a\n\0\0", 10);
     workspace_write(place, "d/paper.pdf", "%PDF-1.7\n1 0 obj\n");
     workspace_write(place, "d/README.md", "# Scans\n1 2\n3 4\n");
     workspace_write(place, "d/plot.py", "x = 1\n0.5, 1\n");
@@ -43,7 +35,7 @@ TEST_IN_WORKSPACE(test_passed_over)
     expect_parts(process.out, "d/1.csv\n  format ", "d/2.csv\n  format ");
 
     /* an instrument's file that is not read is no such thing */
-    write_bytes(place, "d/w.opd", "\1\0Directory\0\0\0", 14);
+    workspace_write_bytes(place, "d/w.opd", "\1\0Directory\0\0\0", 14);
     expect_errors(expect_exit(place, 1, "plan", "d"),
                   "surface 'w' refused: w.opd: the format is not read here: Wyko OPD file; export it as text");
 
@@ -76,11 +68,11 @@ TEST_IN_WORKSPACE(test_packed)
     char *second = memmem(bytes->data, bytes->length, "2.csv", 5);
     assert_non_null(second);
     second[100] ^= 1;
-    write_bytes(place, "damaged.zip", bytes->data, bytes->length);
+    workspace_write_bytes(place, "damaged.zip", bytes->data, bytes->length);
     process = expect_exit(place, 1, "inspect", "damaged.zip");
     expect_parts(process.out, "damaged.zip(1.csv)\n", "damaged.zip(3.csv)\n");
     expect_part(process.err, "'2.csv' in the archive is damaged; copy the file again\n");
-    write_bytes(place, "dz/s.zip", bytes->data, bytes->length);
+    workspace_write_bytes(place, "dz/s.zip", bytes->data, bytes->length);
     expect_errors(expect_exit(place, 1, "report", "--no-cost", "dz"),
                   "'2.csv' in the archive is damaged; copy the file again - refused; the others of the "
                   "archive are used\n");

@@ -100,8 +100,7 @@ TEST_IN_WORKSPACE(test_pressed_flat)
     workspace_write(place, "d/scene.yaml",
                     "material: tin\nmodels: [corrected-persson]\neffects: []\n"
                     "load: {from: 100, to: 1000, points: 3}\n");
-    struct process process = expect_exit(place, 0, "report", "d", "--no-cost");
-    expect_part(process.out, " the contact area is not known on a.");
+    expect_output(expect_exit(place, 0, "report", "d", "--no-cost"), " the contact area is not known on a.");
     expect_in_file(place, "out/d/report.md", " the contact area is not known on *a*.**");
     expect_not_in_file(place, "out/d/report.md", "One surface, every model");
     assert_false(workspace_has(place, "out/d/data/contact.csv"));
