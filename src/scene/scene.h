@@ -35,7 +35,6 @@ struct scene_files {
 /** Measured contact resistance, to compare with the models. */
 struct scene_measured {
     struct scene_files files; /* each a run of its own; none: nothing was measured */
-    size_t file_count;        /* 0: nothing was measured */
     enum scene_measured_quantity quantity;
     char load_unit[UNIT_LENGTH];       /* "" when the scene gives none */
     char resistance_unit[UNIT_LENGTH]; /* the same: total, or times the nominal area */
@@ -47,7 +46,6 @@ struct scene_surface {
     struct scene_bodies bodies; /* once the scene is read completed with the scene's */
     char *name;                 /* as printed; hostile until escaped */
     struct scene_files files;
-    size_t file_count;
     struct scene_measured measured;
     struct scene_files along; /* scans along the lay */
     bool lay_given;

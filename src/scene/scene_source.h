@@ -17,11 +17,10 @@ struct scene_source {
     struct status *status;
     yaml_document_t document;
     const struct scene_overrides *overrides;
-    const char *option;                /* of the command line that is being read; NULL: the scene is */
-    bool effects_overridden;           /* by the command line */
-    const struct scene_mapping *whole; /* the scene's keys */
-    size_t lines[SCENE_KEYS_MOST];     /* where the scene gives them; 0: it does not */
-    size_t file_count;                 /* of all surfaces so far */
+    const char *option;            /* of the command line that is being read; NULL: the scene is */
+    bool effects_overridden;       /* by the command line */
+    size_t lines[SCENE_KEYS_MOST]; /* of scene_keys: where the scene gives them; 0: it does not */
+    size_t file_count;             /* of all surfaces so far */
 };
 
 struct scene_key;
@@ -54,10 +53,11 @@ extern const struct scene_key scene_keys[];
 extern const size_t scene_key_count;
 extern const struct scene_mapping scene_keys_whole;
 extern const struct scene_key *const scene_budget_key; /* of struct scene_direct */
-/** The line that gives the key of that name; 0: none does. */
+/** Index of the key of that name, which exists; the line that gives it, 0: none does. */
+size_t scene_keys_find(const char *name);
 size_t scene_keys_line(const struct scene_source *source, const char *name);
 
-/** Parses `bytes` and reads the keys of source->whole; their rules are checked later. Errors: not YAML, nested too
+/** Parses `bytes` and reads the keys of the scene; their rules are checked later. Errors: not YAML, nested too
  * deep, more than one document, those of the keys. */
 MUST_CHECK bool scene_source_read(struct scene_source *source, const char *bytes, size_t length);
 /** A mapping: its name in messages, its keys, and its rules, lists as those of a key. */
@@ -77,7 +77,8 @@ struct scene_mapping {
 bool scene_source_rules(struct scene_source *source, const struct scene_mapping *mapping, const size_t *lines,
                         size_t line, const void *into);
 /** Reads a mapping into `into`, checks its rules and calls `then`. A key that may be `none` and is counts as not given.
- * Of source->whole it only fills source->lines. */
+ * Of
+ * scene_keys_whole it only fills source->lines. */
 MUST_CHECK bool scene_source_mapping(struct scene_source *source, const yaml_node_t *node,
                                      const struct scene_mapping *mapping, void *into);
 /** Reads an option of the command line as the value of `key`. Error: STATUS_USAGE. */
