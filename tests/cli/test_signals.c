@@ -12,8 +12,6 @@
 #include <sys/wait.h>
 #include <time.h>
 
-static struct directory place;
-
 static void sleep_for(double seconds)
 {
     for (double until = clock_seconds() + seconds; clock_seconds() < until;)
@@ -27,7 +25,7 @@ static pid_t start(char *lines)
     char *const arguments[] = {shell, option, lines, NULL};
     int nothing = open("/dev/null", O_RDWR | O_CLOEXEC);
     pid_t process = 0;
-    struct program_task task = {arguments, shell, place.path, nothing, nothing};
+    struct program_task task = {arguments, shell, directory_here.path, nothing, nothing};
     if (program_start(&process, &task) != 0)
         _exit(70);
     return process;
@@ -35,8 +33,8 @@ static pid_t start(char *lines)
 
 static void begin(pid_t process)
 {
-    directory_write(&place, "begun.new", filled("%d", (int)process));
-    if (rename(directory_path(&place, "begun.new"), directory_path(&place, "begun")) != 0)
+    directory_write(&directory_here, "begun.new", filled("%d", (int)process));
+    if (rename(directory_path(&directory_here, "begun.new"), directory_path(&directory_here, "begun")) != 0)
         _exit(71);
 }
 
@@ -48,7 +46,7 @@ static int deaf(int argc, char **argv)
     (void)signals_stop(100);
     struct temporary staging;
     struct status status = {0};
-    if (temporary_make(&staging, place.path, NULL, &status) != STATUS_OK ||
+    if (temporary_make(&staging, directory_here.path, NULL, &status) != STATUS_OK ||
         mkdirat(staging.directory, "data", 0700) != 0)
         return 72;
     temporary_note("", "out", " is as it was before");
@@ -69,7 +67,7 @@ static int orderly(int argc, char **argv)
     begin(0);
     while (!*stop)
         support_pause();
-    directory_write(&place, "finished", "");
+    directory_write(&directory_here, "finished", "");
     return 5;
 }
 
@@ -81,7 +79,7 @@ static int holds(int argc, char **argv)
     temporary_hold();
     begin(0);
     sleep_for(0.2);
-    directory_write(&place, "finished", "");
+    directory_write(&directory_here, "finished", "");
     temporary_note("the report is in ", "out", "");
     temporary_release();
     while (clock_seconds() > 0)
@@ -143,7 +141,7 @@ static pid_t start_body(int (*body)(int argc, char **argv), int errors)
         exit(signals_run(body, 0, NULL));
     }
     close(errors);
-    while (!directory_has(&place, "begun"))
+    while (!directory_has(&directory_here, "begun"))
         support_pause();
     return child;
 }
@@ -155,7 +153,7 @@ static struct end run(int (*body)(int argc, char **argv), int signal_number, int
     struct end end = {0};
     assert_int_equal(pipe2(errors, O_CLOEXEC), 0);
     pid_t child = start_body(body, errors[1]);
-    char *id = directory_read(&place, "begun");
+    char *id = directory_read(&directory_here, "begun");
     end.other = (pid_t)strtol(id, NULL, 10);
     double before = clock_seconds();
     for (int i = 0; i < times; i++) {
@@ -166,7 +164,7 @@ static struct end run(int (*body)(int argc, char **argv), int signal_number, int
     assert_int_equal(waitpid(child, &end.state, 0), child);
     assert_true(clock_seconds() - before < 60); /* it would never end */
     close(errors[0]);
-    remove(directory_path(&place, "begun"));
+    remove(directory_path(&directory_here, "begun"));
     return end;
 }
 
@@ -184,19 +182,11 @@ static void assert_signalled(int state, int signal_number)
 
 static int make(void **state)
 {
-    (void)state;
-    place = directory_make();
+    directory_setup(state);
     return prctl(PR_SET_CHILD_SUBREAPER, 1);
 }
 
-static int clean(void **state)
-{
-    (void)state;
-    directory_remove(&place);
-    return 0;
-}
-
-#define SIGNAL_TEST(name) TEST_WITH(name, make, clean)
+#define SIGNAL_TEST(name) TEST_WITH(name, make, directory_teardown)
 
 SIGNAL_TEST(what_does_not_listen_is_ended)
 {
@@ -205,7 +195,7 @@ SIGNAL_TEST(what_does_not_listen_is_ended)
         struct end end = run(deaf, signals[i], 1);
         assert_signalled(end.state, signals[i]);
         assert_string_equal(end.said, "roughcontact: stopped by a signal; 'out' is as it was before\n");
-        assert_int_equal(directory_entries(&place, ""), 0);
+        assert_int_equal(directory_entries(&directory_here, ""), 0);
         int other;
         assert_int_equal(waitpid(end.other, &other, 0), end.other); /* orphans come to this process: make() */
         assert_signalled(other, SIGKILL);
@@ -230,8 +220,8 @@ SIGNAL_TEST(each_has_the_time_it_asked_for)
         struct end end = run(cases[i].body, cases[i].signal_number, cases[i].times);
         assert_signalled(end.state, cases[i].signal_number);
         assert_string_equal(end.said, cases[i].said);
-        assert_int_equal(directory_has(&place, "finished"), cases[i].finishes);
-        remove(directory_path(&place, "finished"));
+        assert_int_equal(directory_has(&directory_here, "finished"), cases[i].finishes);
+        remove(directory_path(&directory_here, "finished"));
     }
 }
 
@@ -254,7 +244,7 @@ SIGNAL_TEST(what_was_started_is_known_to_have_ended)
     assert_true(signal(SIGCHLD, SIG_DFL) != SIG_ERR);
     assert_int_equal(waitpid(child, &end, 0), child);
     assert_ended(end, 3);
-    remove(directory_path(&place, "begun"));
+    remove(directory_path(&directory_here, "begun"));
     assert_ended(run(follows, 0, 0).state, 3);
 }
 
@@ -267,11 +257,11 @@ SIGNAL_TEST(an_ignored_signal_stays_ignored)
     assert_int_equal(kill(child, SIGHUP), 0);
     sleep_for(0.2);
     assert_int_equal(waitpid(child, NULL, WNOHANG), 0);
-    assert_false(directory_has(&place, "finished"));
+    assert_false(directory_has(&directory_here, "finished"));
     assert_int_equal(kill(child, SIGTERM), 0);
     assert_int_equal(waitpid(child, &end, 0), child);
     assert_signalled(end, SIGTERM);
-    remove(directory_path(&place, "begun"));
+    remove(directory_path(&directory_here, "begun"));
     assert_true(signal(SIGHUP, SIG_DFL) != SIG_ERR);
     assert_signalled(run(orderly, SIGHUP, 1).state, SIGHUP);
 }
