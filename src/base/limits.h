@@ -6,8 +6,7 @@
 #include <stddef.h>
 #include <stdio.h>
 
-/* Name in the code, value, unit, name as printed, what is counted, what to do where there is more: the file is refused.
- */
+/* Name in the code, value, unit, name as printed, what is counted, what to do where there is more: it is refused. */
 #define LIMITS(X)                                                                                                      \
     X(FILES, 1000000, "files", "files", "entries of one directory that is listed",                                     \
       "spread them over several directories")                                                                          \

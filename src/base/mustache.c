@@ -159,8 +159,7 @@ static enum status_code tokenize(struct tokens *out, struct status *status)
     return STATUS_OK;
 }
 
-/** The value of a name; NULL: none. The first part of a.b.c is looked up in all open sections, the rest in what it
- * gives. */
+/** The value of a name; NULL: none. The first part of a.b.c is looked up in all open sections. */
 static const json_t *look_up(struct render *render, const char *start, size_t length)
 {
     const char *dot = memchr(start, '.', length), *end = start + length;

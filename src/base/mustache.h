@@ -34,8 +34,7 @@ struct mustache_folder {
  * UTF-8, or a name that leads out of the folder). */
 const char *mustache_folder_partial(void *folder, const char *name);
 void mustache_folder_free(struct mustache_folder *folder);
-/** Adds the template `name` of a folder, with the folder's files as partials. Errors: mustache_render()'s, STATUS_IO.
- */
+/** Adds the template `name` of a folder, whose files are its partials. Errors: mustache_render()'s, STATUS_IO. */
 MUST_CHECK enum status_code mustache_file(struct text *out, struct mustache_folder *folder, const char *name,
                                           const json_t *view, void (*escape)(struct text *out, const char *string));
 

@@ -55,8 +55,7 @@ void text_squeeze(struct text *text);
 const char *text_string(const struct text *text);
 void text_free(struct text *text);
 
-/** Reads the rest of `file`, called `name` in messages, up to LIMIT_FILE_BYTES. Error: STATUS_IO with name and reason.
- */
+/** Reads the rest of `file`, called `name` in messages, up to LIMIT_FILE_BYTES. Error: STATUS_IO. */
 MUST_CHECK enum status_code text_read_stream(struct text *text, FILE *file, const char *name, struct status *status);
 /** Reads a whole regular file (NUL allowed); a pipe, a device or a directory is refused without waiting. Error:
  * STATUS_IO with path and reason. */

@@ -217,8 +217,7 @@ static const char *skip_blanks(const char *p)
 
 static const char *read_product(struct product *out, const char *p, int sign);
 
-/* Reads a word with its power, or a product in brackets. Returns its end, NULL where there is none. `sign` -1 divides.
- */
+/* Reads a word with its power, or a product in brackets. Returns its end; NULL: none. `sign` -1 divides. */
 static const char *read_power(struct product *out, const char *p, int sign)
 {
     if (*p == '(') {

@@ -48,8 +48,7 @@ enum { UNIT_LENGTH = 48 }; /* bytes of a spelling, with the NUL */
  * digits, dots and crosses as *, special blanks as blanks. False when it is empty or does not fit. */
 bool unit_spell(char spelling[UNIT_LENGTH], const char *text, size_t length);
 
-/** A unit's `text` as it may be shown: as it stands or, where it is no UTF-8, by unit_spell(). False: it does not fit.
- */
+/** A unit's `text` as it may be shown; where it is no UTF-8, by unit_spell(). False: it does not fit. */
 bool unit_shown(char shown[UNIT_LENGTH], const char *text, size_t length);
 
 /** Reads a unit: `kN`, `mΩ`, `µOhm`, `milliohm`, `K m²/W`, `ohm_m2`, `K_m2_per_W`, `W/(m2 K)`, `N/mm^2`. Case counts in

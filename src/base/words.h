@@ -23,8 +23,7 @@ void words_free(struct words *words);
  * it in: name, blank, text; a name alone is true. Behind a name and a tab all the rest is its text, line ends too: text
  * from outside stands there. A name that comes again makes a list. Lives as long as `words`; NULL: "". */
 const char *words_say(struct words *words, const char *format, ...) PRINTF_LIKE(2, 3);
-/** Adds the text of `later`, in the same form, its values escaped (NULL: as they are). False: the words' status says
- * why. */
+/** Adds the text of `later`, in the same form, its values escaped (NULL: not). False: the words' status says why. */
 bool words_add(struct text *out, struct words *words, const char *later,
                void (*escape)(struct text *out, const char *string));
 

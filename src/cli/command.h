@@ -48,8 +48,7 @@ extern const struct argp command_report_argp, command_direct_argp, command_plan_
 
 /** Reads the command line; ends the program where it is wrong (COMMAND_USAGE) or asks for help. */
 void command_parse(const struct argp *argp, int argc, char **argv, void *input);
-/** A parser, or the end of one: takes the directory that a command is about, a const char * at the beginning of the
- * input. */
+/** A parser, or the end of one: takes the directory of a command, a const char * at the beginning of the input. */
 error_t command_directory(int key, char *value, struct argp_state *state);
 
 /** Prints "roughcontact: `what``message`" as one line on stderr, characters that may not be shown written out. */
@@ -66,20 +65,16 @@ MUST_CHECK enum status_code command_share(struct text *out, const char *name, st
 MUST_CHECK enum status_code command_write(const char *path, const struct text *content, bool fresh,
                                           struct status *status);
 
-/** The length [m], above 0, of option `name`: 0.8mm, 8 um, or a plain number in m. Ends the program where it is none.
- */
+/** The length [m], above 0, of option `name`: 0.8mm, 8 um, or a number in m. Ends the program where it is none. */
 double command_length(const char *name, const char *value, struct argp_state *state);
 
 /** Columns and rows of the terminal on stdout, else of $COLUMNS and $LINES, else 100 x 30. */
 void command_terminal_size(int *columns, int *rows);
 
-/** Flushes stdout. Returns `exit_status`; or says that not all could be printed and where the report was `written`, if
- * it was.
- */
+/** Flushes stdout. Returns `exit_status`; or says that not all was printed, and where the report was `written`. */
 int command_finish(int exit_status, const char *written);
 
-/** Prints a value (docs/commands.md) to stdout, numbers with 17 digits, and frees it. command_finish() reports
- * failures. */
+/** Prints a value (docs/commands.md) to stdout, numbers with 17 digits; frees it. command_finish() reports failures. */
 void command_json_print(json_t *json);
 
 /* What `report`, `direct` and `plan` print with --json (docs/commands.md). */
@@ -101,9 +96,7 @@ void scene_json_print_plan(const struct results *results, double rough_seconds, 
  * ones, so that no file gets their numbers, and too large files become errors. */
 int signals_run(command_run *body, int argc, char **argv);
 
-/** Becomes true when a signal has come. Who asks for it must look at it, and has `milliseconds` from then on to end in
- * order.
- */
+/** Becomes true when a signal has come. Who asks must look at it, and then has `milliseconds` to end in order. */
 const atomic_bool *signals_stop(int milliseconds);
 
 /** True once: the caller is the one to say that a signal has come. */

@@ -27,9 +27,8 @@ struct plan {
 void plan_make(struct plan *out, const struct scene *scene, struct words *words);
 
 /** Sets scene->models to the cheapest model whose 95 % error (docs/validation.md) is within scene->accuracy, and the
- * elastic model that it is based on. Strips cost most; of models of equal cost the better one, and if none is good
- * enough the best.
- */
+ * elastic model that it is based on. Strips cost most; at equal cost the better model, and if none is good enough the
+ * best. */
 void plan_choose_model(struct scene *scene);
 
 /** Does `effect` run? */

@@ -72,8 +72,7 @@ static void fail_effect(struct scene_source *source, const struct effect_row *ef
                           "--effects: '%s' needs %s in scene.yaml, or leave the effect out", effect->name, what);
 }
 
-/* ---- Steps that complete a scene once its keys are read; each uses those before it, and the first failure ends them
- */
+/* ---- Steps that complete a scene once its keys are read; each uses those before it, the first failure ends them */
 
 static void complete_keys(struct scene *scene, struct scene_source *source)
 {

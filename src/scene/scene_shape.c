@@ -95,8 +95,7 @@ void scene_shape_size(struct scene *scene, struct scene_source *source)
 
 /* Moves `count` places so that they count from the corner. They are middles of cells (*cells), or nodes of which the
  * outer ones lie on the edges, whichever comes nearer to `side`, to which they are stretched; equal steps that were
- * rounded are made equal again. Returns the factor of the stretch, 1 where it is rounding; NaN: neither is that long.
- */
+ * rounded are made equal again. Returns the factor of the stretch, 1 for rounding; NaN: neither is that long. */
 static double fit(bool *cells, double *at, size_t count, double side_m)
 {
     double first = at[0], range = at[count - 1] - first, step = range / (double)(count - 1);
@@ -112,8 +111,7 @@ static double fit(bool *cells, double *at, size_t count, double side_m)
     return fabs(length - side_m) <= balance * side_m ? times : NAN;
 }
 
-/* Interpolates values at places to the cells. A stretched pressure keeps its force; heights lie at points, never in
- * cells. */
+/* Interpolates values at places to the cells. A stretched pressure keeps its force; heights always lie at points. */
 static bool lay(struct scene_source *source, const char *file, double *const at[2], const size_t count[2],
                 const double *value)
 {
@@ -304,8 +302,7 @@ static int by_load(const void *a, const void *b)
     return (x->mean > y->mean) - (x->mean < y->mean);
 }
 
-/* A single field is that of the operating load, which it sets where the scene gives none; of several each has its own
- * load. */
+/* A single field is of the operating load, which it sets where the scene does not; several have a load each. */
 static bool hold_load(struct scene *scene, struct scene_source *source)
 {
     const struct shape_field *fields = scene->joint.fields;

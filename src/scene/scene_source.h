@@ -72,8 +72,7 @@ struct scene_mapping {
 };
 #define SCENE_MAPPING(name, keys)    SCENE_RULED(name, keys, .needs = NULL)
 #define SCENE_RULED(name, keys, ...) (&(const struct scene_mapping){(name), (keys), SCENE_COUNT(keys), __VA_ARGS__})
-/** Fails where a rule is broken. Key k stands in lines[k] (0: not given), the mapping in `line`, its values in `into`.
- */
+/** Fails where a rule is broken. Key k stands in lines[k] (0: not given), the mapping in `line`, values in `into`. */
 bool scene_source_rules(struct scene_source *source, const struct scene_mapping *mapping, const size_t *lines,
                         size_t line, const void *into);
 /** Reads a mapping into `into`, checks its rules and calls `then`. A key that may be `none` and is counts as not given.
@@ -107,8 +106,7 @@ struct string_view scene_source_scalar(const yaml_node_t *node);
 /** Fails: out of memory. */
 bool scene_source_memory(struct scene_source *source);
 
-/** For scene_key.read; the field is a double in SI, two of them, a size_t, an enum, a malloc'ed char *, a char array.
- */
+/** For scene_key.read; the field is a double in SI, two of them, a size_t, enum, malloc'ed char *, or char array. */
 scene_reader scene_source_quantity, scene_source_pair, scene_source_whole, scene_source_choice, scene_source_text,
     scene_source_short_text;
 /** The mapping key->within. */
@@ -166,9 +164,8 @@ bool scene_lack_words(struct scene_lack_words *out, const struct scene_bodies *b
                       const struct effect_row *effect);
 
 /** Adds to `files` those of `kind` (S_IFREG, S_IFDIR) whose last component matches that of `pattern` (fnmatch(3)),
- * below the scene's directory unless it is absolute, in natural order (2 before 10), without hidden files and sidecars;
- * perhaps none. Errors: STATUS_IO: the directory cannot be listed; STATUS_SCENE: more files than LIMIT_FILES;
- * STATUS_MEMORY. */
+ * below the scene's directory unless it is absolute, in natural order, without hidden files and sidecars; perhaps none.
+ * Errors: STATUS_IO: the directory cannot be listed; STATUS_SCENE: LIMIT_FILES; STATUS_MEMORY. */
 MUST_CHECK enum status_code scene_files_match(struct scene_files *files, const struct scene *scene, const char *pattern,
                                               mode_t kind, struct status *status);
 
@@ -176,8 +173,7 @@ MUST_CHECK enum status_code scene_files_match(struct scene_files *files, const s
 MUST_CHECK enum status_code scene_files_add(struct scene_files *files, const char *file, struct status *status);
 
 /** Adds to a scene without surfaces one for each scan of its directory, as scene_read() says, and one for each
- * sub-directory with scans, which are its repeated scans; scene->passed_over names the rest. Errors: STATUS_IO,
- * STATUS_MEMORY. */
+ * sub-directory of repeated scans; scene->passed_over names the rest. Errors: STATUS_IO, STATUS_MEMORY. */
 enum status_code scene_files_list(struct scene *scene, struct status *status);
 
 /** The name of a surface read from `file`: its last component, without the ending unless `ending`; malloc'ed. */
@@ -193,8 +189,7 @@ void scene_shape_size(struct scene *scene, struct scene_source *source);
 void scene_shape_complete(struct scene *scene, struct scene_source *source);
 void scene_shape_free(struct scene *scene);
 
-/* Into a struct scene: `targets`, a list of {quantity: value} whose load is sought; `limits`, {quantity: {most: value,
- * least: value}}. */
+/* Into a struct scene: `targets`, a list of {quantity: value}; `limits`, {quantity: {most: value, least: value}}. */
 scene_reader scene_asked_read;
 /** Turns them into the models' quantities, once the nominal area is known. */
 void scene_asked_complete(struct scene *scene, struct scene_source *source);

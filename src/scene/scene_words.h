@@ -13,8 +13,7 @@ struct scene_words_shown {
 struct scene_words_shown scene_words_show(const char *text);
 struct scene_words_shown scene_words_show_view(struct string_view text);
 
-/** "did you mean 'x'?" when one of the `all` names is near `word`, else "allowed: a, b, c", the first `count` of them.
- */
+/** "did you mean 'x'?" when one of the `all` names is near `word`, else "allowed: a, b, c", the first `count`. */
 struct scene_words_hint {
     char text[500];
 };
@@ -37,8 +36,7 @@ struct scene_quantity {
 };
 
 /** Reads `4 mm2`, `2.5um`, `1e4 W/m2/K`, `20 degC`, `10 %` or a plain number in SI; `quantities`: the enum
- * unit_quantity bits that it may be. False: no number (an overflow is infinity, a number), or a unit of none of them.
- */
+ * unit_quantity bits that it may be. False: no number (an overflow gives infinity), or a unit of none. */
 bool scene_quantity_read(struct scene_quantity *out, struct string_view text, unsigned quantities);
 
 /** What to write for one, to end a message: "a number in Pa or one with its unit: Pa, kPa, ...". */

@@ -45,8 +45,7 @@ void process_unwrap(struct process *process);
 #define expect_exit(place, status, ...) process_expect(process_run(place, __VA_ARGS__), status, __FILE__, __LINE__)
 #define expect_status(process, status)  process_expect((process), (status), __FILE__, __LINE__)
 struct process process_expect(struct process process, int status, const char *file, int line);
-/** Reports d, with this d/scene.yaml (NULL: as it is), into `out` without times; fails the test unless it exits with 0.
- */
+/** Reports d, with this d/scene.yaml (NULL: as it is), into `out` without times; it must exit with 0. */
 #define report_scene(place, out, scene) process_report((place), (out), (scene), __FILE__, __LINE__)
 struct process process_report(const char *place, const char *out, const char *scene, const char *file, int line);
 /** The same where its output does not matter. */
@@ -57,8 +56,7 @@ struct process process_report(const char *place, const char *out, const char *sc
 #define expect_errors(process, ...)                                                                                    \
     process_expect_parts((process), false, (const char *const[]){__VA_ARGS__, NULL}, __FILE__, __LINE__)
 void process_expect_parts(struct process process, bool out, const char *const *parts, const char *file, int line);
-/** The value at a path such as "surfaces.0.name"; NULL: none. The others fail the test where it is no number or text.
- */
+/** The value at a path such as "surfaces.0.name"; NULL: none. The others fail where it is no number or text. */
 json_t *json_at(const json_t *json, const char *path);
 double json_number_at(const json_t *json, const char *path);
 const char *json_text_at(const json_t *json, const char *path);

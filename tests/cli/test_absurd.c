@@ -1,7 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Scans that no instrument measures, each beside a good one: the good one is reported, and no NaN or infinity is
- * written.
- */
+/* Scans that no instrument measures, each beside a good one: the good one is reported; no NaN is written. */
 #include "cli/process.h"
 #include "hard_case.h"
 

@@ -177,8 +177,7 @@ TEST_IN_WORKSPACE(test_map)
                    "All of it is true at this resolution");
 }
 
-/* Without lambda_s the shortest waves are four spacings long: plan and report say that the solution is of this
- * resolution. */
+/* Without lambda_s the shortest waves are four spacings long: plan and report say so. */
 TEST_IN_WORKSPACE(test_resolution)
 {
     workspace_scan(place, "d/a.csv", 64, 1);

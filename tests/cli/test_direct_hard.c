@@ -5,8 +5,7 @@
 
 #define SCENE "material: tin\neffects: [plasticity, separation, electrical, thermal]\n"
 
-/** Writes 400 heights [um] whose amplitudes fall as n^-gamma, with scattered phases; one point stands out by `spike`.
- */
+/** Writes 400 heights [um] whose amplitudes fall as n^-gamma, with scattered phases; one point is `spike` higher. */
 static void write_surface(const char *place, const char *path, double scale, double gamma, double spike)
 {
     enum { POINTS = 400 };

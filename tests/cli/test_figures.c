@@ -386,8 +386,7 @@ TEST_IN_WORKSPACE(measured_points_are_of_their_surface)
     }
 }
 
-/* The sweeps are made at a load where they differ: where the metal yields from the first scale on, they would coincide.
- */
+/* The sweeps are at a load where they differ: if the metal yields from the first scale on, they coincide. */
 TEST_IN_WORKSPACE(sweeps_that_yield_are_told_apart)
 {
     workspace_scan(place, "d/a.csv", 300, 1);

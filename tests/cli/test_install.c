@@ -66,8 +66,7 @@ static struct process uninstall(const char *place)
     return process_end(process_start_list(place, command, NULL));
 }
 
-/** Uninstalling removes the installed files and the folders made for them; what was there before, or came later, stays.
- */
+/** Uninstalling removes the installed files and their new folders; what was there before, or came later, stays. */
 TEST_IN_WORKSPACE(test_uninstall)
 {
     workspace_folder(place, "new");

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The Debian package: made, looked over by lintian where that is installed, unpacked, and the program run from there.
- */
+/* The Debian package: made, checked by lintian if that is installed, unpacked, and the program run from there. */
 #include "cli/process.h"
 
 static bool is_there(const char *place, const char *program)

@@ -12,9 +12,7 @@ static char *first_page(const char *place, const char *out)
     return page;
 }
 
-/** The README's picture shows what is drawn today: the same words and lines, each point within a thousandth of its
- * width.
- */
+/** The README's picture shows what is drawn today: words and lines, each point within a thousandth of its width. */
 static void expect_kept_picture(const char *place, const char *path)
 {
     char *kept = workspace_read(PROJECT_SOURCE, "surfaces/picture.svg"), *drawn = workspace_read(place, path);

@@ -248,8 +248,7 @@ TEST_CASE(test_default_loads)
     assert_near(loads[0], 0.3, 0);
 }
 
-/* The program's own loads, 1e-6 to 0.1, reach a decade beyond one that is given, but not above 1; the scene's do not.
- */
+/* The program's own loads, 1e-6 to 0.1, reach a decade beyond operating_load, up to 1; the scene's do not. */
 TEST_CASE(test_loads_reach_a_decade_beyond)
 {
     static const struct {

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Every rule between keys, as their rows have it: a scene that breaks it is refused in its line, one that keeps it is
- * not. */
+/* Every rule between keys, as in their rows: a scene that breaks it is refused in its line, another is not. */
 #include "scene/scene_source.h"
 #include "scene_directory.h"
 
