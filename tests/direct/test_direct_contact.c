@@ -4,14 +4,14 @@
 #include "direct/direct_constriction.h"
 #include "direct/direct_ladder.h"
 
-/** The rows of a table with a grid of n points a side, against solutions to `tolerance`. */
-static void random_rows(const char *file, size_t n, int expected_rows, double tolerance)
+/** Every so many of the rows of a table that have a grid of n points a side, against solutions to `tolerance`. */
+static void random_rows(const char *file, size_t n, size_t every, int expected_rows, double tolerance)
 {
     struct table table = table_read(file);
     double *height = recipe_surface(n);
     struct direct_contact contact = contact_of(height, n, n);
     int rows = 0;
-    for (size_t row = 0; row < table.rows; row++) {
+    for (size_t row = 0; row < table.rows; row += every) {
         if (table_number(&table, row, "N") != (double)n)
             continue;
         double hardness = strcmp(table_text(&table, row, "hardness"), "inf") == 0 ? INFINITY : 0.5;
@@ -37,17 +37,17 @@ static void random_rows(const char *file, size_t n, int expected_rows, double to
 
 TEST_CASE(random_surface_64)
 {
-    random_rows("golden/direct/random.csv", 64, 12, 1e-12);
+    random_rows("golden/direct/random.csv", 64, 1, 12, 1e-12);
 }
 
 TEST_CASE(random_surface_128)
 {
-    random_rows("golden/direct/random.csv", 128, 12, 1e-12);
+    random_rows("golden/direct/random.csv", 128, 1, 12, 1e-12);
 }
 
 TEST_CASE(random_surface_256)
 {
-    random_rows("golden/direct/random.csv", 256, 12, 1e-12);
+    random_rows("golden/direct/random.csv", 256, 5, 3, 1e-12);
 }
 
 /** Minutes; only where the environment asks for it. */
@@ -55,9 +55,9 @@ TEST_CASE(random_surface_fine)
 {
     if (!getenv("ROUGHCONTACT_SLOW_TESTS"))
         skip();
-    random_rows("golden/direct/random_fine.csv", 512, 12, 1e-12);
-    random_rows("golden/direct/random_fine.csv", 1024, 12, 1e-12);
-    random_rows("golden/direct/random_fine.csv", 2048, 6, 1e-10);
+    random_rows("golden/direct/random_fine.csv", 512, 1, 12, 1e-12);
+    random_rows("golden/direct/random_fine.csv", 1024, 1, 12, 1e-12);
+    random_rows("golden/direct/random_fine.csv", 2048, 1, 6, 1e-10);
 }
 
 /** One wave along x: A = (2/pi) asin sqrt x, gap = Delta (1 - x + x ln x), x = p/(pi E' Delta/L) (Westergaard 1939). */
@@ -87,6 +87,8 @@ TEST_CASE(sinusoidal_cell)
     struct table table = table_read("golden/direct/sinusoid.csv");
     for (size_t row = 0; row < table.rows; row++) {
         size_t n = (size_t)table_number(&table, row, "N");
+        if (n == 512 && row % 4 != 0) /* light, half and nearly complete contact */
+            continue;
         double *height = support_room(n * n * sizeof *height), x = table_number(&table, row, "p_over_pstar");
         for (size_t j = 0; j < n; j++)
             for (size_t i = 0; i < n; i++)
