@@ -184,17 +184,19 @@ struct power_law power_law_of_band(const struct power_law_band *band, const stru
     struct power_law law = no_law(band->fit.band_m);
     if (band->law == POWER_LAW_BAND_SCATTERED)
         return scattered_law(spectrum, band->fit.band_m);
-    if (band->law == POWER_LAW_BAND_NONE || !isnormal(band->alpha)) /* a steep law through a record of 1e-20 m */
+    const struct power_law_band_fit *fit = &band->fit;
+    double alpha = pow(10, fit->log10_amplitude - fit->gamma * log10(fit->wavelength_m));
+    if (band->law == POWER_LAW_BAND_NONE || !isnormal(alpha)) /* a steep law through a record of 1e-20 m */
         return law;
     law.found = band->law;
-    law.alpha = band->alpha;
-    law.gamma = band->fit.gamma;
-    law.gamma_error = band->fit.gamma_s;
-    law.amplitude_m = band->amplitude_m;
-    law.amplitude_error_decades = band->fit.log10_amplitude_s;
-    law.wavelength_m = band->fit.wavelength_m;
+    law.alpha = alpha;
+    law.gamma = fit->gamma;
+    law.gamma_error = fit->gamma_s;
+    law.amplitude_m = pow(10, fit->log10_amplitude);
+    law.amplitude_error_decades = fit->log10_amplitude_s;
+    law.wavelength_m = fit->wavelength_m;
     law.psd_m3 = band->psd_m3;
-    law.misfit_decades = band->fit.misfit_decades;
+    law.misfit_decades = fit->misfit_decades;
     return law;
 }
 
