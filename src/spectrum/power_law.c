@@ -22,7 +22,7 @@ static struct power_law no_law(const double band_m[2])
                               .gamma_above = NAN};
 }
 
-/** Running sums of a straight-line fit y = intercept + slope x, about a fixed origin to keep digits. */
+/** Sums for a straight line y = intercept + slope x. */
 struct sums {
     double n, x, y, xx, xy, yy;
 };
@@ -69,7 +69,7 @@ static bool in_band(const struct spectrum *spectrum, size_t i, const double band
            wavelength_m <= band_m[1] * (1 + 1e-12);
 }
 
-/** Origin of the sums: x = log10(lambda/L), y = log10(Delta/1 um). */
+/** The sums are of x = log10(lambda/L) and y = log10(Delta/1 um), which keeps digits. */
 static double log_wavelength(size_t i)
 {
     return -log10((double)(i + 1));
@@ -80,8 +80,8 @@ static double log_amplitude(const struct spectrum *spectrum, size_t i)
     return log10(spectrum->amplitude_m[i] / 1e-6);
 }
 
-/** Looks for the wavelength at which two straight lines beat one by the Bayesian information criterion with a margin of
- * 10 ("very strong"), each over at least 8 harmonics and a factor of 2 in wavelength, with slopes 0.3 apart. */
+/** Looks for the wavelength at which two straight lines are better than one by 10 ("very strong") of the Bayesian
+ * information criterion, each over at least 8 harmonics and a factor of 2 in wavelength, with slopes 0.3 apart. */
 static void find_knee(struct power_law *law, const struct spectrum *spectrum, size_t first, size_t last,
                       const struct sums *all, double residual)
 {
@@ -104,7 +104,7 @@ static void find_knee(struct power_law *law, const struct spectrum *spectrum, si
             law->gamma_below = below.slope;
         }
     }
-    /* three more parameters; an exact law leaves nothing to gain */
+    /* three more parameters; 0: an exact law */
     double gain = residual > 0 ? all->n * log(residual / fmax(best, 1e-300)) - 3 * log(all->n) : 0;
     if (gain <= 10)
         law->knee_m = law->gamma_above = law->gamma_below = NAN;
@@ -150,8 +150,7 @@ struct power_law power_law_fit(const struct spectrum *spectrum, const double ban
     return law;
 }
 
-/** What standard errors grow by where neighbours' residuals are alike, as a window makes them: sqrt(1 + 2 r), r their
- * correlation. */
+/** Factor of standard errors where a window correlates neighbouring residuals: sqrt(1 + 2 r), r their correlation. */
 static double neighbours_factor(const struct spectrum *spectrum, const struct power_law *law)
 {
     double before = NAN, squares = 0, products = 0;
