@@ -127,9 +127,8 @@ TEST_CASE(matched_law)
         assert_near(of_found[2], moments[2], 1e-9);
     }
     static const double none[][3] = {{1e-12, 1e-3, 1e9}, {1e-12, 1e-12, 1e-12}, {1e-12, 1e-8, NAN}, {1e-12, 0, 1e-4}};
-    for (size_t k = 0; k < sizeof none / sizeof *none; k++) {
+    for (size_t k = 0; k < sizeof none / sizeof *none; k++)
         expect_fails(STATUS_MODEL, "", direct_law_match, &found, none[k], 3e-4, 8e-6);
-    }
 }
 
 /** A finer grid holds the same surface: point for point by interpolation as by synthesis. */
