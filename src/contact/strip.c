@@ -179,7 +179,8 @@ static enum status_code solve_strip(struct strip_curve *curve, size_t *convoluti
     const size_t points = solver->points;
     const double spacing_m = solver->rows->spacing_m, *strip_m = solver->strip_m + index * points;
     double slope = sqrt(mean_square_slope(strip_m, points, row_length(solver->rows), spacing_m));
-    if (direct_contact_make(contact, strip_m, &(struct direct_grid){points, 1, spacing_m, false}, status) != STATUS_OK)
+    if (direct_contact_make(contact, strip_m, &(struct direct_grid){points, 1, spacing_m, false, true}, status) !=
+        STATUS_OK)
         return status->code;
     const size_t step = solver->rough ? ROUGH_STEP : 1;
     bool enough = true;

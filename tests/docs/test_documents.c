@@ -47,7 +47,7 @@ static bool defines(const char *source, const char *name)
         const char *line = at;
         while (line > source && line[-1] != '\n')
             line--;
-        if ((is_word_char(*line) || *line == '}') && strchr("([ ;", at[strlen(name)]))
+        if ((is_word_char(*line) || *line == '}') && strchr("([ ;)", at[strlen(name)]))
             return true;
     }
     return false;

@@ -169,7 +169,7 @@ static void solve(struct direct_point *out, const double *height_m, double hardn
         own[i] = loads[i] * gradient;
     const struct direct_ladder_def def = {
         .load = own, .loads = LOADS, .hardness = hardness * gradient, .tolerance = 1e-6, .resistance = true};
-    expect_ok(direct_contact_make, &contact, height_m, &(struct direct_grid){SIDE, SIDE, spacing_m, false});
+    expect_ok(direct_contact_make, &contact, height_m, &(struct direct_grid){SIDE, SIDE, spacing_m, false, false});
     expect_ok(direct_ladder_run, out, &contact, &def);
     direct_contact_free(&contact);
 }
