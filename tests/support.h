@@ -131,6 +131,10 @@ const char *table_text(const struct table *table, size_t row, const char *column
 /** The same as a number. */
 double table_number(const struct table *table, size_t row, const char *column);
 
+/** Fails unless `actual` is near the number of a cell. */
+#define assert_cell(actual, table, row, column, rtol)                                                                  \
+    support_near((actual), table_number(&(table), (row), (column)), (rtol), 0.0, column, __FILE__, __LINE__)
+
 /** Waits a little. */
 void support_pause(void);
 /** cmocka set-up: signals that end the program do so also where these tests run in the background. */

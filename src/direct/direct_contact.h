@@ -67,8 +67,8 @@ MUST_CHECK enum status_code direct_contact_solve(struct direct_contact *contact,
                                                  struct status *status);
 
 /** Multiplies values on the set (the field, 0 elsewhere) by about the inverse of the compliance on the set: |q| on the
- * set. In a strip the values are first continued linearly from edge to edge across what lies between (E), then E' |q| E
- * is taken: without jumps at the edges, which |q| would turn into spikes. */
+ * set. In a strip the values are first continued linearly from edge to edge across what lies between (E), and E
+ * transposed |q| E is taken: without jumps at the edges, which |q| would turn into spikes. */
 void direct_contact_stiffen(struct direct_contact *contact);
 
 /** Makes the set: the points under pressure, or all. */

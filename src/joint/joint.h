@@ -83,11 +83,6 @@ struct joint_task {
  * (A/A_n)(ECR A_n)/(pi rho). NaN above the area ratio up to which spots are independent, 0.1. */
 struct contact_spots joint_equal_spots(double area_ratio, double ecr_ohm_m2, double resistivity_ohm_m);
 
-/** R A_n [ohm m²] of equal spots with a film of resistance `film_ohm_m2` (s_f) in series: each has rho/(2a) + s_f/(pi
- * a²), together R_c A_n + s_f/(A/A_n) (Holm 1967, Electric Contacts, 4th edition). The resistance of a film is not
- * predicted: that of tunnelling spans ten decades within 1.5 nm. */
-double joint_film(double contact_ohm_m2, double film_ohm_m2, double area_ratio);
-
 /** Is there a filler with a bond line? */
 bool joint_has_bond_line(const struct joint_task *task);
 /** Does the bond line of a filler hold the mean planes apart at this point? */

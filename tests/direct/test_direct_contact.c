@@ -17,18 +17,17 @@ static void random_rows(const char *file, size_t n, size_t every, int expected_r
         double hardness = strcmp(table_text(&table, row, "hardness"), "inf") == 0 ? INFINITY : 0.5;
         struct direct_contact_load load = load_of(table_number(&table, row, "p"), hardness, tolerance);
         struct direct_quantities found = solved(&contact, &load);
-        assert_near((double)found.contact_points, table_number(&table, row, "contact_points"), 0);
-        assert_near((double)found.perimeter_faces, table_number(&table, row, "perimeter_faces"), 0);
+        assert_cell((double)found.contact_points, table, row, "contact_points", 0);
+        assert_cell((double)found.perimeter_faces, table, row, "perimeter_faces", 0);
         struct overlap overlap = overlap_of(&contact, hardness);
-        assert_near((double)overlap.capped_points, table_number(&table, row, "capped_points"), 0);
-        assert_near(direct_area_corrected(&found, n * n, direct_kappa_yastrebov),
-                    table_number(&table, row, "area_corrected"), 1e-9);
-        assert_near(found.gap_m, table_number(&table, row, "open_gap"), 1e-9);
-        assert_near(overlap.plane_gap_m, table_number(&table, row, "mean_plane_gap"), 1e-9);
+        assert_cell((double)overlap.capped_points, table, row, "capped_points", 0);
+        assert_cell(direct_area_corrected(&found, n * n, direct_kappa_yastrebov), table, row, "area_corrected", 1e-9);
+        assert_cell(found.gap_m, table, row, "open_gap", 1e-9);
+        assert_cell(overlap.plane_gap_m, table, row, "mean_plane_gap", 1e-9);
         assert_true(violation_of(&contact, &load) < tolerance + (n > 256 ? 1e-11 : 1e-12)); /* rounding grows with n */
         double length = constriction_of(&contact, 1e-10);
-        assert_near(length, table_number(&table, row, "constriction_length"), 1e-9);
-        assert_near(2 * length, table_number(&table, row, "minus_dgap_dp_fixed_set"), 1e-9);
+        assert_cell(length, table, row, "constriction_length", 1e-9);
+        assert_cell(2 * length, table, row, "minus_dgap_dp_fixed_set", 1e-9);
         rows++;
     }
     assert_int_equal(rows, expected_rows);
@@ -74,9 +73,8 @@ TEST_CASE(westergaard_strip)
         assert_near((double)found.contact_points, 2 * table_number(&table, row, "contact_points"), 0);
         assert_within(found.gap_m / amplitude, table_number(&table, row, "gap_over_amplitude"), 2e-12);
         if (n == 4096)
-            assert_near(found.gap_m / amplitude, table_number(&table, row, "gap_exact"), 7.5e-7);
-        assert_near(2 * M_PI * constriction_of(&contact, 1e-10), table_number(&table, row, "minus_dgap_dx_fixed_set"),
-                    1e-9);
+            assert_cell(found.gap_m / amplitude, table, row, "gap_exact", 7.5e-7);
+        assert_cell(2 * M_PI * constriction_of(&contact, 1e-10), table, row, "minus_dgap_dx_fixed_set", 1e-9);
         direct_contact_free(&contact);
     }
 }
@@ -97,13 +95,12 @@ TEST_CASE(sinusoidal_cell)
         struct direct_contact contact = contact_of(height, n, n);
         struct direct_contact_load load = load_of(x * sqrt(2) * M_PI * 0.01, INFINITY, n < 512 ? 1e-12 : 1e-9);
         struct direct_quantities found = solved(&contact, &load);
-        assert_near((double)found.contact_points, table_number(&table, row, "contact_points"), 0);
-        assert_near((double)found.perimeter_faces, table_number(&table, row, "perimeter_faces"), 0);
+        assert_cell((double)found.contact_points, table, row, "contact_points", 0);
+        assert_cell((double)found.perimeter_faces, table, row, "perimeter_faces", 0);
         assert_within(found.gap_m / 0.01, table_number(&table, row, "gap_over_amplitude"), n < 512 ? 1e-11 : 1e-9);
         assert_within(direct_area_corrected(&found, n * n, direct_kappa_yastrebov),
                       table_number(&table, row, "area_corrected"), 1e-11);
-        assert_near(2 * sqrt(2) * M_PI * constriction_of(&contact, 1e-8),
-                    table_number(&table, row, "minus_dgap_dx_fixed_set"), 1e-9);
+        assert_cell(2 * sqrt(2) * M_PI * constriction_of(&contact, 1e-8), table, row, "minus_dgap_dx_fixed_set", 1e-9);
         if (n == 512) {
             assert_within(found.gap_m / 0.01, table_number(&table, row, "gap_golden_1024"), 1.5e-6);
             assert_within(direct_area_corrected(&found, n * n, direct_kappa_yastrebov),
@@ -131,16 +128,15 @@ TEST_CASE(sphere_after_hertz)
             if (n >= 256 && a < 0.06 && square < 0.5)
                 assert_near(p, 2 * a / M_PI * sqrt(1 - square), 4e-3);
         }
-        assert_near((double)found.contact_points, table_number(&table, row, "contact_points"), 0);
-        assert_near((double)found.perimeter_faces, table_number(&table, row, "perimeter_faces"), 0);
-        assert_near((double)found.contact_points / ((double)(n * n) * M_PI * a * a),
-                    table_number(&table, row, "area_over_hertz"), 1e-9);
-        assert_near(direct_area_corrected(&found, n * n, direct_kappa_yastrebov) / (M_PI * a * a),
-                    table_number(&table, row, "corrected_area_over_hertz"), 1e-9);
-        assert_near(most / (2 * a / M_PI), table_number(&table, row, "pmax_over_hertz"), 1e-9);
-        assert_near(overlap_of(&contact, INFINITY).plane_gap_m + mean, table_number(&table, row, "mean_gap"), 1e-9);
-        assert_near(2 * constriction_of(&contact, 1e-9), table_number(&table, row, "stiffness_fixed_set_dgap_dp"),
+        assert_cell((double)found.contact_points, table, row, "contact_points", 0);
+        assert_cell((double)found.perimeter_faces, table, row, "perimeter_faces", 0);
+        assert_cell((double)found.contact_points / ((double)(n * n) * M_PI * a * a), table, row, "area_over_hertz",
                     1e-9);
+        assert_cell(direct_area_corrected(&found, n * n, direct_kappa_yastrebov) / (M_PI * a * a), table, row,
+                    "corrected_area_over_hertz", 1e-9);
+        assert_cell(most / (2 * a / M_PI), table, row, "pmax_over_hertz", 1e-9);
+        assert_cell(overlap_of(&contact, INFINITY).plane_gap_m + mean, table, row, "mean_gap", 1e-9);
+        assert_cell(2 * constriction_of(&contact, 1e-9), table, row, "stiffness_fixed_set_dgap_dp", 1e-9);
         if (n >= 256)
             assert_near(most, 2 * a / M_PI, a < 0.06 ? 8.1e-5 : a < 0.11 ? 1.3e-3 : 0.011);
         direct_contact_free(&contact);

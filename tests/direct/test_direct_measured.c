@@ -65,8 +65,8 @@ TEST_CASE(maps_as_known)
         struct measured measured;
         if (!take(&measured, &table, row))
             continue;
-        assert_near((double)measured.map.grid.nx, table_number(&table, row, "points_a_side"), 0);
-        assert_near(measured.map.grid.spacing_m, table_number(&table, row, "spacing_m"), 1e-5);
+        assert_cell((double)measured.map.grid.nx, table, row, "points_a_side", 0);
+        assert_cell(measured.map.grid.spacing_m, table, row, "spacing_m", 1e-5);
         for (size_t i = 0; i < LOADS; i++) {
             const struct direct_point *point = &measured.point[i];
             assert_near(point->quantities.area_ratio, table_number(&table, row + i, "area_ratio"), 0.06);

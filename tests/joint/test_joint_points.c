@@ -249,13 +249,6 @@ TEST_CASE(spots)
     assert_within(point.value[QUANTITY_SPOT_RADIUS] - 3e-6, 0, 0);
 }
 
-/** Alike spots: rho/(2a) + s/(pi a²) each, n in parallel, n pi a² = A/A_n. */
-TEST_CASE(film_sums_over_spots)
-{
-    double rho = 1.7e-8, film = 1e-12, n = 1e8, a = 3e-6, spot_m2 = M_PI * a * a;
-    assert_near(joint_film(rho / (2 * a) / n, film, n * spot_m2), (rho / (2 * a) + film / spot_m2) / n, 1e-14);
-}
-
 /** No film: no change; a film alone adds s_f A_n/A. */
 TEST_CASE(films)
 {
