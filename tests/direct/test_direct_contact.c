@@ -119,6 +119,8 @@ TEST_CASE(sphere_after_hertz)
     for (size_t row = 0; row < table.rows; row++) {
         size_t n = (size_t)table_number(&table, row, "N");
         double a = table_number(&table, row, "a_over_L"), mean, *height = paraboloid_of(n, &mean);
+        if (n == 512 && a < 0.15) /* the finest grid: once */
+            continue;
         struct direct_contact contact = contact_of(height, n, n);
         struct direct_contact_load load = load_of(4.0 / 3 * a * a * a, INFINITY, n < 512 ? 1e-12 : 1e-11);
         struct direct_quantities found = solved(&contact, &load);
@@ -255,8 +257,8 @@ TEST_CASE(complete_contact)
  * reached changes nothing. */
 TEST_CASE(monotone_and_warm)
 {
-    double *height = recipe_surface(128);
-    struct direct_contact cold = contact_of(height, 128, 128), warm = contact_of(height, 128, 128);
+    double *height = recipe_surface(64);
+    struct direct_contact cold = contact_of(height, 64, 64), warm = contact_of(height, 64, 64);
     for (int capped = 0; capped < 2; capped++) {
         struct direct_quantities last = {.gap_m = INFINITY};
         double last_length = INFINITY;

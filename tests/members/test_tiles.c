@@ -131,6 +131,8 @@ TEST_CASE(a_map_is_its_direct_solution)
     double rms[2][3];
     for (size_t l = 0; l < sizeof looks / sizeof *looks; l++)
         for (size_t h = 0; h < 3; h++) {
+            if (l > 0 && h == 1 + l % 2) /* the other looks with two of them */
+                continue;
             struct tiles tiles = map_of(SIDE, SIDE, 3 + l, looks[l]);
             double own = hardness[h] * gradient_of(&tiles);
             expect_ok(tiles_solve, &tiles, own, &test_alone);

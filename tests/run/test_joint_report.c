@@ -330,7 +330,7 @@ TEST_IN_PLACE(shape_of_the_parts)
         char *page = report_on(
             place, filled("material: copper\ncounterface: aluminium\nnominal_area: 400 mm2\nshape: %s\n"
                           "load: {from: 1 bar, to: 100 bar, points: 5}\noperating_load: 10 bar\ntolerance: 1e-12\n"
-                          "models: [strip, corrected-persson]\nbaseline: a\ngap: {gas: air}\nfilm: 1e-14\n"
+                          "models: [strip]\nbaseline: a\ngap: {gas: air}\nfilm: 1e-14\n"
                           "targets: [{conductance: 1e4 W/m2/K}]\nsurfaces: [{name: a, file: a.csv}]\n",
                           shapes[k]));
         struct table contact = directory_table(place, "out/data/contact.csv");
