@@ -176,11 +176,13 @@ static enum status_code solve_strip(struct strip_curve *curve, size_t *convoluti
                                     size_t index, struct status *status)
 {
     struct direct_contact made, *contact = &made;
-    const size_t points = solver->points;
+    const bool mirrored = index == 0 && solver->rows->rows == 1 && !solver->rows->periodic;
+    const size_t points = solver->points,
+                 images = mirrored ? 2 : 1; /* a row's mirror image needs no points of its own */
     const double spacing_m = solver->rows->spacing_m, *strip_m = solver->strip_m + index * points;
     double slope = sqrt(mean_square_slope(strip_m, points, row_length(solver->rows), spacing_m));
-    if (direct_contact_make(contact, strip_m, &(struct direct_grid){points, 1, spacing_m, false, true}, status) !=
-        STATUS_OK)
+    const struct direct_grid grid = {points / images, 1, spacing_m, mirrored, true};
+    if (direct_contact_make(contact, strip_m, &grid, status) != STATUS_OK)
         return status->code;
     const size_t step = solver->rough ? ROUGH_STEP : 1;
     bool enough = true;
@@ -192,11 +194,11 @@ static enum status_code solve_strip(struct strip_curve *curve, size_t *convoluti
         if (direct_contact_solve(contact, &load, &problem) == STATUS_OK) {
             struct direct_quantities found = direct_quantities_of(contact, &load);
             found.contact_points += overlapping(contact) / 2;
-            enough = found.contact_points >= STRIP_LEAST_POINTS;
+            enough = images * found.contact_points >= STRIP_LEAST_POINTS;
             if (enough)
                 (void)add_solution(curve, contact, &load, &found, &problem);
         }
-        *convolutions += contact->convolutions;
+        *convolutions += contact->convolutions * contact->kernel.points;
         if (problem.code == STATUS_MODEL)
             curve->unsolved++; /* the next one starts anew */
         else if (problem.code != STATUS_OK)
@@ -245,7 +247,7 @@ static enum status_code solve_task(void *context, size_t index, struct threads_t
         return STATUS_OK;
     *(index == 0 ? &out->own : &out->surrogate[out->surrogates]) = curve;
     out->unsolved += curve.unsolved;
-    out->transforms += convolutions * solver->points;
+    out->transforms += convolutions;
     out->surrogates += index > 0 && problem.code == STATUS_OK;
     if (problem.code == STATUS_OK ||
         (index > 0 && problem.code == STATUS_MODEL && index - out->surrogates < solver->surrogates))

@@ -28,8 +28,8 @@
 /** Points a side of a square: indices fit 31 bits. */
 enum { DIRECT_KERNEL_MOST = 32768 };
 
-/** ny rows of nx points, repeated periodically; or (`mirrored`, a square) continued by their mirror images, with a
- * period of two sides. */
+/** ny rows of nx points, repeated periodically; or (`mirrored`, a square or one row) continued by their mirror images,
+ * with a period of two sides. */
 struct direct_grid {
     size_t nx, ny;
     double spacing_m; /* dx, the same in both directions */

@@ -41,16 +41,19 @@ static double OF(factor)(const struct direct_kernel *kernel, enum direct_table t
     return table == DIRECT_STIFFNESS ? q / n : q > 0 ? 1 / (q * n) : 0;
 }
 
-/** Factors of column i; of a mirrored grid those of multiply_mirrored(): all S, then all D, for both parts. */
+/** Factors of column i; of a mirrored grid those of multiply_mirrored(): all S, then all D, for both parts; of a strip
+ * those of pass_row(), for both parts. */
 static void OF(fill_column)(const struct direct_kernel *kernel, enum direct_table table, REAL *out, size_t i)
 {
     const size_t n = kernel->ny, half = n / 2 + 1;
-    if (!kernel->mirrored) {
-        for (size_t j = 0; j < half; j++)
-            out[j] = (REAL)OF(factor)(kernel, table, i, j);
+    if (n == 1) {
+        out[0] = (REAL)OF(factor)(kernel, table, i, 0);
+        out[1] = (REAL)OF(factor)(kernel, table, kernel->mirrored ? kernel->nx - i : i, 0);
         return;
     }
-    for (size_t j = 0; j < half; j++) {
+    for (size_t j = 0; j < half && !kernel->mirrored; j++)
+        out[j] = (REAL)OF(factor)(kernel, table, i, j);
+    for (size_t j = 0; j < half && kernel->mirrored; j++) {
         double near = OF(factor)(kernel, table, i, j), far = OF(factor)(kernel, table, n - i, n - j);
         double down = OF(factor)(kernel, table, i, n - j), right = OF(factor)(kernel, table, n - i, j);
         out[2 * j] = (REAL)((near + far) / 2);
@@ -63,7 +66,7 @@ static void OF(fill_column)(const struct direct_kernel *kernel, enum direct_tabl
 /** Values of a column of a table. */
 static size_t OF(column_length)(const struct direct_kernel *kernel)
 {
-    return (kernel->ny / 2 + 1) * (kernel->mirrored ? 4 : 1);
+    return kernel->ny == 1 ? 2 : (kernel->ny / 2 + 1) * (kernel->mirrored ? 4 : 1);
 }
 
 static void OF(make_plans)(void *context)
@@ -120,7 +123,7 @@ static bool OF(make)(struct direct_kernel *kernel)
     room->multiplied = FFT(alloc_complex)(ny + 1);
     room->turn = malloc(kernel->mirrored ? 4 * (3 * nx + 1) * sizeof(REAL) : 1);
     for (int k = 0; k < DIRECT_TABLES; k++)
-        room->table[k] = malloc((nx / 2 + 1) * length * sizeof(REAL));
+        room->table[k] = calloc((nx / 2 + BLOCK) * length, sizeof(REAL));
     if (!room->line || !room->field || !room->columns || !room->transformed || !room->multiplied || !room->turn ||
         !room->table[0] || !room->table[1])
         return false;
@@ -297,19 +300,34 @@ static void OF(pass_columns)(struct pass *pass)
     }
 }
 
-/** The same of a strip, which has no columns. */
+/** The same of a strip, which has no columns. Of a mirrored one wave i holds two cosines: turned by exp(-i pi i/(2n))
+ * its parts are those of i and n - i. Whole lanes, the last with zeros. */
 CLONES static void OF(pass_row)(struct pass *pass)
 {
+    enum { SUM = 256 }; /* values summed before they join a double */
     struct direct_kernel *kernel = pass->kernel;
     struct OF(room) *room = kernel->room;
-    const REAL *table = room->table[pass->table];
-    for (size_t i = 0; i <= kernel->nx / 2; i++) {
-        REAL *value = room->field[i];
-        if (!pass->filter)
-            pass->energy += times(kernel, i) * (double)(table[i] * (value[0] * value[0] + value[1] * value[1]));
-        value[0] *= table[i];
-        value[1] *= table[i];
+    const size_t n = kernel->nx, values = 2 * (n / 2 + 1);
+    const REAL *table = room->table[pass->table], *turn = room->turn + 2 * n, *imaginary = turn + 2 * (3 * n + 1);
+    const REAL last = n % 2 ? 0
+                            : table[n] * (room->field[n / 2][0] * room->field[n / 2][0] +
+                                          room->field[n / 2][1] * room->field[n / 2][1]);
+    OF(lanes) sums = {0};
+    for (size_t k = 0; k < values; k += LANES) {
+        OF(lanes) *at = (OF(lanes) *)((REAL *)room->field + k), value = *at;
+        if (kernel->mirrored)
+            OF(turn)(&value, turn + k, imaginary + k, 1);
+        OF(lanes) out = value * *(const OF(lanes) *)(table + k);
+        sums += value * out;
+        if (kernel->mirrored)
+            OF(turn)(&out, turn + k, imaginary + k, -1);
+        *at = out;
+        for (size_t i = 0; i < LANES && (k % SUM == 0 || k + LANES >= values); i++) {
+            pass->energy += 2 * (double)sums[i];
+            sums[i] = 0;
+        }
     }
+    pass->energy -= (double)last; /* there is one of it, as of the mean, which has no factor */
 }
 
 static void OF(pass)(struct pass *pass)

@@ -18,7 +18,7 @@ enum record_kind {
     RECORD_ESTIMATE    /* struct estimate */
 };
 
-/** Bits of a field's `when`: it is there in the kinds of record, and under the conditions, named. */
+/** Bits of a field's `when`: in which output it is, and under which conditions. */
 enum {
     RECORD_CSV = 1,
     RECORD_JSON = 2,

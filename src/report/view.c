@@ -52,24 +52,16 @@ void view_interval(json_t *out, const char *name, double low, double high, int d
     set_text(out, name, &text);
 }
 
-/** An object of two numbers, for templates to word. */
-static void set_two(json_t *out, const char *name, const char *const keys[2], double first, double second)
-{
-    json_t *part = view_part(out, name);
-    json_set(part, keys[0], first);
-    json_set(part, keys[1], second);
-}
-
 void view_range(json_t *out, const char *name, double least, double most)
 {
     if (isfinite(least) && isfinite(most))
-        set_two(out, name, (const char *const[]){"least", "most"}, least, most);
+        json_object_set_new(out, name, json_pack("{s:f, s:f}", "least", least, "most", most));
 }
 
 void view_uncertain(json_t *out, const char *name, double value, double error)
 {
     if (isfinite(value))
-        set_two(out, name, (const char *const[]){"value", "error"}, value, error);
+        json_object_set_new(out, name, json_pack("{s:f, s:o}", "value", value, "error", json_finite(error)));
 }
 
 void view_columns(json_t *heads, struct words *words, const struct record_field *fields, unsigned when)
@@ -149,6 +141,18 @@ void view_separate(json_t *array)
         view_flag(item, "last", i + 1 == json_array_size(array));
         view_flag(item, "more", i + 1 < json_array_size(array));
     }
+}
+
+json_t *view_alike(const json_t *list, const char *part, const json_t *other)
+{
+    size_t i;
+    json_t *item;
+    json_array_foreach(list, i, item)
+    {
+        if (json_equal(part ? json_object_get(item, part) : item, other))
+            return item;
+    }
+    return NULL;
 }
 
 void view_load(json_t *out, const char *name, const struct view_source *source, size_t surface, double load)

@@ -58,8 +58,8 @@ static void put_ends(json_t *row, const struct law *law, double value, const dou
     put_si(row, law->high, ends[1]);
 }
 
-/** The first row, that no program carries the next one's numbers on to no pressure: what fills the gaps conducts alone,
- * as it does at the lightest load. */
+/** The first row, at zero pressure, so that no program extrapolates the next one's numbers: only what fills the gaps
+ * conducts, as at the lightest load. */
 static void put_apart(json_t *row, const struct law *law, const struct contact_point *point,
                       const struct ensemble_band *band)
 {

@@ -6,7 +6,7 @@
 #include <math.h>
 #include <stddef.h>
 
-/** Cases that bear a finding out, that speak against it, and that are alike and speak for neither. */
+/** Cases for a finding, against it, and ties. */
 struct tally {
     size_t good, bad, ties;
 };
@@ -95,7 +95,7 @@ static void add_case(struct tally *out, double x, double y, double slack, bool f
         add(out, (x < y) != falls);
 }
 
-/** What is off by no more than the run's tolerance is alike. */
+/** Numbers this close are equal within the run's tolerance. */
 static double slack_of(const struct finding *f, double x, double y)
 {
     return f->source->results->scene->tolerance * fmax(fabs(x), fabs(y));

@@ -58,24 +58,11 @@ static void put_surface(json_t *row, const struct view_source *source, size_t su
     json_set(found, "amplitude_factor", pow(10, power_law_error_decades(law, wavelength_m)));
 }
 
-/** The item of a list that is, or whose `part` is, the same as another; NULL: none. */
-static json_t *alike(const json_t *list, const char *part, const json_t *other)
-{
-    size_t i;
-    json_t *item;
-    json_array_foreach(list, i, item)
-    {
-        if (json_equal(part ? json_object_get(item, part) : item, other))
-            return item;
-    }
-    return NULL;
-}
-
-/** Takes what is to be said of a surface into a list of VIEW_ROWS at most, where what is the same of several stands
- * once, as the `body` of an item: with the first one's name, the others counted. */
+/** Adds what is to be said of a surface to a list of VIEW_ROWS at most. What is the same of several surfaces is one
+ * item, its `body`, with the first one's name and the number of others. */
 static void put_once(json_t *list, json_t *own, const char *surface)
 {
-    json_t *item = alike(list, "body", own);
+    json_t *item = view_alike(list, "body", own);
     if (item) {
         view_count(item, "more_surfaces", (size_t)json_integer_value(json_object_get(item, "more_surfaces")) + 1);
     } else if (json_array_size(list) < VIEW_ROWS) {
@@ -94,7 +81,7 @@ static void put_material(json_t *out, const struct material *material, const str
         json_set(row, "effective_modulus_Pa", pair->effective_modulus_Pa);
         json_set(row, "hardness_Pa", pair->hardness_Pa);
     }
-    if (!alike(list, NULL, row) && json_array_size(list) < VIEW_ROWS)
+    if (!view_alike(list, NULL, row) && json_array_size(list) < VIEW_ROWS)
         json_array_append(list, row);
     json_decref(row);
 }

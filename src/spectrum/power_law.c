@@ -7,19 +7,10 @@ const char *const power_law_method_names[POWER_LAW_METHOD_COUNT] = {"auto", "the
 
 static struct power_law no_law(const double band_m[2])
 {
-    return (struct power_law){.found = POWER_LAW_BAND_NONE,
-                              .alpha = NAN,
-                              .gamma = NAN,
-                              .gamma_error = NAN,
-                              .amplitude_m = NAN,
-                              .amplitude_error_decades = NAN,
-                              .wavelength_m = NAN,
-                              .psd_m3 = NAN,
-                              .misfit_decades = NAN,
-                              .band_m = {band_m[0], band_m[1]},
-                              .knee_m = NAN,
-                              .gamma_below = NAN,
-                              .gamma_above = NAN};
+    struct power_law law = {.found = POWER_LAW_BAND_NONE, .band_m = {band_m[0], band_m[1]}};
+    law.alpha = law.gamma = law.gamma_error = law.amplitude_m = law.amplitude_error_decades = NAN;
+    law.wavelength_m = law.psd_m3 = law.misfit_decades = law.knee_m = law.gamma_below = law.gamma_above = NAN;
+    return law;
 }
 
 /** Sums for a straight line y = intercept + slope x. */

@@ -52,7 +52,7 @@ TEST_IN_WORKSPACE(test_numbers)
                    "tcr_K_m2_per_W,patches,seeds,grid,heights,hardness_Pa\n");
     expect_in_file(place, "out/data/direct_ratio.csv", "surface,model,load_over_AnEp,area,gap,ecr\n");
     assert_true(workspace_has(place, "out/figures/direct.svg"));
-    expect_in_file(place, "out/report.md", "## How true", " is the nearest elastic one.");
+    expect_in_file(place, "out/report.md", "## The models against the direct solution", " is the nearest elastic one.");
     double g = gradient_of(json_array_get(json_object_get(all, "direct"), 0)), modulus = 41.4e9 / (1 - 0.36 * 0.36);
     size_t elastic = 0, capped = 0;
     for (size_t i = 0; i < t.rows; i++) {
@@ -187,27 +187,27 @@ TEST_IN_WORKSPACE(test_map)
     assert_true(numbers >= 2);
     assert_true(differs > 0);
     expect_in_file(place, "out/report.md", "without a model: the map itself, 40 × 40 points",
-                   "All of it is true at this resolution");
+                   "This holds at this resolution");
 }
 
-/* Four spacings for want of a lambda_s: the plan and the report say that the solution is true at this resolution. */
+/* Four spacings, as no lambda_s is given: the plan and the report say that the solution holds at this resolution. */
 TEST_IN_WORKSPACE(test_resolution)
 {
     workspace_scan(place, "d/a.csv", 64, 1);
     write_scene(place, EFFECTS "direct: {grid: 128, seeds: 1, loads: [2e-3, 1e-2]}\n");
     struct process plan = expect_exit(place, 0, "plan", "d");
     process_unwrap(&plan);
-    expect_part(plan.out, ", down to waves of four spacings, for want of a lambda_s: true at this resolution");
+    expect_part(plan.out, ", down to waves of four spacings, as no lambda_s is given: it holds at this resolution");
     report(place, "out", "2");
     char *page = workspace_read(place, "out/report.md");
-    expect_part(page, "All of it is true at this resolution");
+    expect_part(page, "This holds at this resolution");
     json_t *all = workspace_json(place, "out/results.json");
     double gamma = json_number_value(json_object_get(json_array_get(json_object_get(all, "direct"), 0), "gamma"));
 
     assert_true(gamma < 1.5);
     write_scene(place, EFFECTS "direct: {grid: 128, seeds: 2, loads: [2e-3, 1e-2]}\nlambda_s_m: 6e-6\n");
     report(place, "out", "2");
-    expect_not_in_file(place, "out/report.md", "true at this resolution");
+    expect_not_in_file(place, "out/report.md", "holds at this resolution");
 }
 
 TEST_IN_WORKSPACE(test_impossible)

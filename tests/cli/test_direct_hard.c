@@ -119,7 +119,7 @@ TEST_IN_WORKSPACE(test_from_none_to_complete)
     assert_true(points_drawn(place) >= 3); /* of the middle load */
     report(place, 0, "grid: 64, seeds: 2, loads: [1e-9], surfaces: all");
     assert_int_equal(points_drawn(place), 0);
-    expect_in_file(place, "out/report.md", "Nowhere do the 100 points of this grid touch that a number takes.");
+    expect_in_file(place, "out/report.md", "At no load do 100 points of this grid touch, which a number needs.");
     expect_not_in_file(place, "out/report.md", "The direct solution of", "is the nearest elastic one");
 }
 
