@@ -170,7 +170,7 @@ static void put(struct claims *c, const char *name, double value)
 
 static void put_count(struct claims *c, const char *name, size_t count)
 {
-    json_object_set_new(c->numbers, name, json_integer((json_int_t)count));
+    json_set_count(c->numbers, name, count);
     text_add(&c->told, "\n%s %zu", name, count);
 }
 

@@ -9,11 +9,6 @@
 #include <math.h>
 #include <string.h>
 
-static void set_count(json_t *object, const char *key, size_t count)
-{
-    json_object_set_new(object, key, json_integer((json_int_t)count));
-}
-
 static void set_word(json_t *object, const char *key, const char *word)
 {
     json_object_set_new(object, key, json_string(word));
@@ -61,7 +56,7 @@ json_t *json_joint(const struct results *results)
     if (plan_runs(results->plan, EFFECT_PLATING)) {
         json_set(json, "plating_thickness_m", joint->plating_thickness_m);
         json_set(json, "plating_resistivity_ohm_m", joint->plating_ohm_m);
-        set_count(json, "plated_sides", joint->both_plated ? 2 : 1);
+        json_set_count(json, "plated_sides", joint->both_plated ? 2 : 1);
     }
     if (heating)
         json_set(json, "current_A", joint->current_A);
@@ -141,8 +136,8 @@ static json_t *model_json(const struct results *results, size_t surface, size_t 
     json_set(json, "beta_from_multiscale", model->beta_multiscale);
     json_set(json, "area_load_slope", model->area_slope);
     json_set(json, "largest_load_share_beyond_fit", model->most_beyond_fit);
-    set_count(json, "evaluations", model->evaluations);
-    set_count(json, "areas_limited", model->clamped);
+    json_set_count(json, "evaluations", model->evaluations);
+    json_set_count(json, "areas_limited", model->clamped);
     json_set(json, "largest_load_share_clamped_at_radius", model->most_radius_clamped);
     for (enum quantity q = 0; q < QUANTITY_COUNT; q++) {
         if (!(results->plan->wanted & QUANTITY_BIT(q)))
@@ -227,7 +222,7 @@ static json_t *measured_json(const struct results *results, size_t index)
                              "models", models);
     json_object_set_new(json, "units_of_file",
                         json_pack("[o, o]", json_shown(measured->load_unit), json_shown(measured->resistance_unit)));
-    set_count(json, "points", measured->count);
+    json_set_count(json, "points", measured->count);
     json_set(json, "conductance_factor", estimate_value(&answers->fit));
     json_set_all(json, "conductance_factor_95", ends, 2);
     json_set_all(json, "load_over_AnEp", measured->load, measured->count);
@@ -268,9 +263,9 @@ static json_t *surface_json(const struct results *results, size_t index, struct 
     json_set(json, "rku", roughness_kurtosis(&s->roughness));
     json_object_set_new(json, "fit", fit_json(record, scene->fit));
     json_object_set_new(json, "lay", lay_json(s));
-    set_count(json, "scans", s->scans);
-    set_count(json, "scans_periodic", s->periodic);
-    set_count(json, "scans_windowed", s->windowed);
+    json_set_count(json, "scans", s->scans);
+    json_set_count(json, "scans_periodic", s->periodic);
+    json_set_count(json, "scans_windowed", s->windowed);
     json_set(json, "scans_independent", s->independent);
     json_set(json, "longest_waves", s->longest_waves);
     if (s->repeats.scans > 1)

@@ -74,6 +74,7 @@ json_t *json_lines(const char *lines);
 json_t *json_finite(double value);
 json_t *json_numbers(const double *values, size_t count);
 void json_set(json_t *object, const char *key, double value);
+void json_set_count(json_t *object, const char *key, size_t count);
 void json_set_all(json_t *object, const char *key, const double *values, size_t count);
 
 #endif

@@ -174,7 +174,7 @@ static enum status_code take_ranked(struct compared *all, size_t k, const char *
         if (!(side.value > 0) || !isfinite(side.value)) {
             if (all->without_count++ < NAMED_MOST) {
                 json_t *line = view_item(all->without);
-                view_count(line, "report", all->reports);
+                json_set_count(line, "report", all->reports);
                 view_text(line, "surface", name);
             }
             continue;
@@ -186,7 +186,7 @@ static enum status_code take_ranked(struct compared *all, size_t k, const char *
             return status_memory(status);
         bool rises = quantity_rows[all->criterion].is & QUANTITY_RISES;
         json_t *line = json_object();
-        view_count(line, "report", all->reports);
+        json_set_count(line, "report", all->reports);
         view_text(line, "path", path);
         view_text(line, "surface", name);
         all->ranked = more;
@@ -280,7 +280,7 @@ static enum status_code add_ranking(json_t *view, struct compared *all, struct s
         json_t *line = all->ranked[i].line, *shown = view_part(line, "shown");
         char letters[RANKING_LETTERS + 1] = "";
         bool tested = side->known.count > 0;
-        view_count(line, "rank", i + 1);
+        json_set_count(line, "rank", i + 1);
         put_side(line, side, scale);
         view_number(shown, "ratio", side->value / all->ranked[0].side.value, 3, "");
         if (tested && place > 0) { /* against the best of those tested */
@@ -321,7 +321,7 @@ static void add_number(json_t *view, struct compared *all, const char *name, con
             asked_unit(unit, sizeof unit, field->unit);
         if (!begun)
             scale = field ? 1 / record_unit(field) : shown_in(unit, all, number->quantity, side.value);
-        view_count(line, "report", k + 1);
+        json_set_count(line, "report", k + 1);
         put_side(line, &side, scale);
         if (!begun)
             continue;
@@ -395,7 +395,7 @@ static void add_input(json_t *view, struct compared *all, json_t *const *of, con
         struct text cut = {0};
         words_cut(&cut, dumped[k] ? dumped[k] : "", dumped[k] ? strlen(dumped[k]) : 0,
                   TEXT_MOST); /* of nothing: none */
-        view_count(value, "report", k + 1);
+        json_set_count(value, "report", k + 1);
         view_text(value, "value", text_string(&cut));
         text_free(&cut);
     }
@@ -419,7 +419,7 @@ static void add_surface(json_t *view, struct compared *all, const char *name)
     all->items++;
     for (size_t k = 0; k < all->count; k++)
         if (!(of[k] = json_object_get(all->surfaces[k], name))) {
-            view_count(view_item(view_list(item, "not_in")), "report", k + 1);
+            json_set_count(view_item(view_list(item, "not_in")), "report", k + 1);
             all->differ = alone = true;
             all->items++;
         }
@@ -511,7 +511,7 @@ static enum status_code add_report(json_t *view, struct compared *all, const cha
         give_back_loads(json_object_get(results, "scene"), modulus_Pa);
     all->results[all->count] = results;
     all->surfaces[all->count++] = surfaces;
-    view_count(item, "report", ++all->reports);
+    json_set_count(item, "report", ++all->reports);
     view_text(item, "path", path);
     view_text(item, "leading", string(results, "leading"));
     view_text(item, "label", label_of(string(results, "leading")));

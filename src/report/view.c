@@ -80,15 +80,10 @@ void view_cells(json_t *cells, const struct record_field *fields, unsigned when,
                         fields->digits, "");
 }
 
-void view_count(json_t *out, const char *name, size_t count)
-{
-    json_object_set_new(out, name, json_integer((json_int_t)count));
-}
-
 void view_some(json_t *out, const char *name, size_t count)
 {
     if (count > 0)
-        view_count(out, name, count);
+        json_set_count(out, name, count);
 }
 
 void view_counted(json_t *out, const char *name, size_t count, const char *only)
@@ -96,7 +91,7 @@ void view_counted(json_t *out, const char *name, size_t count, const char *only)
     if (count == 0)
         return;
     json_t *part = view_part(out, name);
-    view_count(part, "count", count);
+    json_set_count(part, "count", count);
     view_flag(part, "one", count == 1);
     if (count == 1 && only)
         view_text(part, "surface", only);
@@ -187,7 +182,7 @@ static void add_map(json_t *figure, const struct view_source *source, size_t sur
     view_number(figure, "contact_percent", 100 * contact->area_ratio, 2, "");
     if (contact->flowed > 0)
         view_number(figure, "flowed_percent", 100 * contact->flowed, 2, "");
-    view_count(figure, "spots", contact->spot_count);
+    json_set_count(figure, "spots", contact->spot_count);
     view_flag(figure, "one_spot", contact->spot_count == 1);
 }
 
@@ -207,7 +202,7 @@ static void add_figures(json_t *out, const struct view_source *source, const str
         view_flag(figure, "several_numbers", strchr(figures->figure[i].numbers, ' '));
         for (int n = 0; n < FIGURE_NOTES; n++)
             view_flag(figure, figure_notes[n], figures->figure[i].notes >> n & 1);
-        view_count(figure, "least_points", FIGURE_FEW_POINTS);
+        json_set_count(figure, "least_points", FIGURE_FEW_POINTS);
     }
 }
 

@@ -58,8 +58,7 @@ void view_uncertain(json_t *out, const char *name, double value, double error);
  * the cells below. */
 void view_columns(json_t *heads, struct words *words, const struct record_field *fields, unsigned when);
 void view_cells(json_t *cells, const struct record_field *fields, unsigned when, const void *of);
-void view_count(json_t *out, const char *name, size_t count);
-/** The same; nothing of 0. */
+/** Sets a count; nothing of 0. */
 void view_some(json_t *out, const char *name, size_t count);
 /** A new object with `count` and whether it is `one`, which `only` (NULL: it has no name) is the `surface` of; nothing
  * of 0. */

@@ -429,8 +429,8 @@ void view_findings(json_t *out, const struct view_source *source)
         view_text(item, "part", row->part);
         view_text(item, "name", row->name);
         view_text(item, "finding", words_say(source->words, "finding.%s", row->name));
-        view_count(item, "good", good);
-        view_count(item, "all", all);
+        json_set_count(item, "good", good);
+        json_set_count(item, "all", all);
         view_some(item, "ties", finding.all.ties);
         view_flag(item, "holds", all > 0 && good == all);
         view_flag(item, "in_part", good < all && 2 * good >= all);

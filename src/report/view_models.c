@@ -128,7 +128,7 @@ static void put_all_surfaces(json_t *out, const struct view_source *source)
             }
     }
     view_flag(item, "has_betas", betas);
-    view_count(item, "shown", results->shown_count);
+    json_set_count(item, "shown", results->shown_count);
     view_flag(item, "some_shown", results->shown_count < results->usable_count);
     if (results->usable_count > 1 || betas)
         json_object_set(out, "all_surfaces", item);
@@ -170,7 +170,7 @@ static void put_convergence(json_t *out, const struct view_source *source)
         json_set(item, "fall", fall);
     json_set(item, "atom_m", convergence_atom_m);
     view_flag(item, "none_diverges", telling > 0 && diverging == 0);
-    view_count(item, "surfaces", results->usable_count);
+    json_set_count(item, "surfaces", results->usable_count);
     view_some(item, "diverging", diverging);
     view_some(item, "untold", results->usable_count - telling);
 }
@@ -225,7 +225,7 @@ static void put_measured_models(json_t *item, const struct view_source *source, 
             continue;
         json_t *row = view_item(rows);
         view_text(row, "label", model_rows[m]->label);
-        view_count(row, "points", distance.points);
+        json_set_count(row, "points", distance.points);
         json_set(row, "factor", pow(10, distance.rms_decades));
         json_set(row, "ratio", pow(10, distance.bias_decades));
     }
@@ -234,7 +234,7 @@ static void put_measured_models(json_t *item, const struct view_source *source, 
         view_text(item, "nearest", model_rows[nearest]->label);
     view_counted(item, "points", measured->count, NULL);
     if (measured->run_count > 1)
-        view_count(item, "runs", measured->run_count);
+        json_set_count(item, "runs", measured->run_count);
     view_text(item, "surface", view_name(source, surface));
     view_separate(rows);
 }
@@ -245,7 +245,7 @@ static void put_study(json_t *item, const struct view_source *source, const stru
     json_t *rows = view_list(item, "rows");
     view_text(item, "surface", view_name(source, study->surface));
     view_flag(item, "map", study->plan.side > 0);
-    view_count(item, "grid", study->plan.grid);
+    json_set_count(item, "grid", study->plan.grid);
     view_counted(item, "seeds", study->curves[DIRECT_STUDY_ELASTIC].seeds, NULL);
     view_flag(item, "gaussian", study->plan.gaussian);
     view_flag(item, "at_this_resolution", study->plan.side > 0 || study->plan.of_spacing);
@@ -268,7 +268,7 @@ static void put_study(json_t *item, const struct view_source *source, const stru
     for (size_t i = 0; i < study->plan.loads; i++)
         resolved = resolved || isfinite(direct_study_value(study, pair, DIRECT_STUDY_ELASTIC, QUANTITY_AREA, i, NULL));
     view_flag(item, "unresolved", !resolved);
-    view_count(item, "least_points", DIRECT_ENSEMBLE_POINTS);
+    json_set_count(item, "least_points", DIRECT_ENSEMBLE_POINTS);
     size_t nearest = direct_study_nearest(
         study, pair, results_criterion(source->results) == QUANTITY_ECR ? QUANTITY_ECR : QUANTITY_AREA);
     if (nearest < model_count)

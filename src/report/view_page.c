@@ -84,7 +84,7 @@ static void put_table(json_t *out, const struct view_source *source)
                                                                          : "two_alike",
                   true);
     if (results->usable_count > VIEW_ROWS)
-        view_count(out, "rows_left_out", results->usable_count - VIEW_ROWS);
+        json_set_count(out, "rows_left_out", results->usable_count - VIEW_ROWS);
 }
 
 void view_first_page(json_t *out, const struct view_source *source)
