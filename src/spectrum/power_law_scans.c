@@ -31,11 +31,13 @@ enum status_code power_law_scans_add(struct power_law_scans *scans, const double
     if (scans->scan_count == scans->capacity) {
         size_t larger = scans->capacity ? 2 * scans->capacity : 4;
         struct spectrum *scan = realloc(scans->scan, larger * sizeof *scan);
-        scans->scan = scan ? scan : scans->scan;
-        size_t *file = realloc(scans->file, larger * sizeof *file);
-        scans->file = file ? file : scans->file;
-        if (!scan || !file)
+        if (!scan)
             return status_memory(status);
+        scans->scan = scan;
+        size_t *file = realloc(scans->file, larger * sizeof *file);
+        if (!file)
+            return status_memory(status);
+        scans->file = file;
         scans->capacity = larger;
     }
     struct spectrum own;
