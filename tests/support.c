@@ -20,7 +20,8 @@ static size_t owned_count, kept;
 void *test_owns(void *what, void (*end)(void *what))
 {
     assert_non_null(what);
-    owned = realloc(owned, (owned_count + 1) * sizeof *owned);
+    if ((owned_count & (owned_count - 1)) == 0) /* full at 0 and powers of 2 */
+        owned = realloc(owned, (2 * owned_count + 1) * sizeof *owned);
     assert_non_null(owned);
     owned[owned_count].what = what;
     owned[owned_count++].end = end;
@@ -71,6 +72,16 @@ void support_parts(const char *text, const char *const *parts, bool there, const
 void *support_room(size_t bytes)
 {
     return test_owns(calloc(1, bytes), free);
+}
+
+static void end_random(void *random)
+{
+    gsl_rng_free(random);
+}
+
+gsl_rng *support_random(void)
+{
+    return test_owns(gsl_rng_alloc(gsl_rng_mt19937), end_random);
 }
 
 static void end_text(void *text)

@@ -17,6 +17,7 @@
 #include <string.h>
 
 #include <cmocka.h>
+#include <gsl/gsl_rng.h>
 #include <jansson.h>
 
 /** Defines a cmocka test, `TEST_CASE(name) { ... }`, which main.c runs: in the order of the file, with *state from its
@@ -98,6 +99,8 @@ char *lasting(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
 /** So many bytes, zero, the test's; fails it when there are none. */
 void *support_room(size_t bytes);
+/** Random numbers, always the same ones; the test's. */
+gsl_rng *support_random(void);
 /** An empty text, the test's, to be added to. */
 struct text *support_text(void);
 /** The words of the program's templates, the test's. */
@@ -127,6 +130,10 @@ struct table table_read_path(const char *path);
 const char *table_text(const struct table *table, size_t row, const char *column);
 /** The same as a number. */
 double table_number(const struct table *table, size_t row, const char *column);
+
+/** Fails unless `actual` is near the number of a cell. */
+#define assert_cell(actual, table, row, column, rtol)                                                                  \
+    support_near((actual), table_number(&(table), (row), (column)), (rtol), 0.0, column, __FILE__, __LINE__)
 
 /** Waits a little. */
 void support_pause(void);

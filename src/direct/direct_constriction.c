@@ -8,8 +8,8 @@
 
 enum { MOST_ITERATIONS = 500 };
 
-/** Values on the contact's set, put into the field, 0 elsewhere; convolved with the compliance, or stiffened. Its mean
- * over the set, and its product with the values. */
+/** Puts values on the contact's set into the field, 0 elsewhere, and convolves it with the compliance or stiffens it.
+ * Gives its mean over the set, and its product with the values. */
 static double convolve(double *product, struct direct_contact *contact, const double *values, bool stiffen)
 {
     struct direct_kernel *kernel = &contact->kernel;
@@ -40,7 +40,7 @@ static double dot(const struct direct_contact *contact, const double *a, const d
     return (part[0] + part[1]) + (part[2] + part[3]);
 }
 
-/** On the contact's set; `current`: room for a value at each of its points. */
+/** On the contact's set; `current`: room for one value a point. */
 static enum status_code iterate(double *length_m, struct direct_contact *contact, double *current, double tolerance,
                                 const atomic_bool *stop, struct status *status)
 {

@@ -15,10 +15,10 @@
 #include "direct/direct_contact.h"
 
 /** Constriction length of the points p > 0 of a solved contact, by preconditioned conjugate gradients until the
- * potential on the set is constant to `tolerance` of itself; l = <j, u>/<j> is then good to its square. 0 where every
- * point is in contact. The contact's gap_m is used up; its pressure stays, and j is a strip's response. Adds to what
- * the contact took. Errors: STATUS_MODEL: no convergence; STATUS_INTERRUPTED when *stop (NULL: never) becomes non-zero;
- * STATUS_MEMORY. */
+ * potential on the set is constant to the share `tolerance`; l = <j, u>/<j> is then good to the square of that. 0 where
+ * every point is in contact. gap_m of the contact is overwritten, its pressure stays; j becomes the response of a
+ * strip. Iterations and convolutions are added to those of the contact. Errors: STATUS_MODEL: no convergence;
+ * STATUS_INTERRUPTED when *stop (NULL: never) becomes non-zero; STATUS_MEMORY. */
 MUST_CHECK enum status_code direct_constriction_of_contact(double *length_m, struct direct_contact *contact,
                                                            double tolerance, const atomic_bool *stop,
                                                            struct status *status);

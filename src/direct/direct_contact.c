@@ -8,32 +8,32 @@
 
 enum {
     PATIENCE = 200, /* iterations in which the violation has to halve */
-    FREE = 1,       /* a member between 0 and H, */
-    VIOLATOR = 2,   /* and another */
-    BLOCK = 8,      /* points that are passed over together, where none is in the set */
-    COARSEST = 64   /* points a side of a grid to start from */
+    FREE = 1,       /* a point of the set with 0 < p < H */
+    VIOLATOR = 2,   /* any other point of the set */
+    BLOCK = 8,      /* points that are skipped together where none is in the set */
+    COARSEST = 64   /* points a side of the coarsest grid */
 };
 
-/** Violation at which an elastic solution is good enough to start a hardness, or a finer grid, from. */
+/** Violation at which an elastic solution is good enough as a start for one with a hardness or on a finer grid. */
 static const double START = 1e-2;
 
-/** By how much more a condition may be violated behind a step with which points have joined. */
+/** How many times as large the violation may be after a step in which points joined the set. */
 static const double THROWN = 8;
 
-/** One solution in the making. */
+/** A solution while it is iterated. */
 struct solver {
     struct direct_contact *contact;
     const struct direct_contact_load *load;
     double hardness;
     bool preconditioned;
-    bool joined;    /* some point has come into the set: directions so far are no longer conjugate */
+    bool joined;    /* a point has joined the set, so that earlier directions are no longer conjugate */
     bool violators; /* the set has points that violate a condition */
-    bool careful;   /* of these only those join that the step presses: drop_pulled() */
-    double last;    /* <g, z> of the iteration before */
+    bool careful;   /* only those of them join that the step presses: drop_pulled() */
+    double last;    /* <g, z> of the last iteration */
     double mean;    /* of the gap on the set */
 };
 
-/** Takes the mean off the heights, an offset of which would only cost digits. */
+/** Subtracts the mean of the heights, as an offset costs digits. */
 static enum status_code centre_heights(struct direct_contact *contact, struct status *status)
 {
     const struct direct_kernel *kernel = &contact->kernel;
@@ -72,7 +72,7 @@ enum status_code direct_contact_lay(struct direct_contact *contact, const double
     return centre_heights(contact, status);
 }
 
-/** A grid of every second point, if that leaves enough. One that happens to be flat is none. */
+/** A grid of every second point, if enough are left and they are not flat. */
 static enum status_code make_coarse(struct direct_contact *out, const double *height_m, struct status *status)
 {
     const struct direct_kernel *kernel = &out->kernel;
@@ -153,7 +153,7 @@ static double sum(const double part[4])
     return (part[0] + part[1]) + (part[2] + part[3]);
 }
 
-/** K p, to the kernel's field: the gap is 2 K p - h - lambda. */
+/** Puts K p into the field of the kernel: the gap is 2 K p - h - lambda. */
 static void displace(struct solver *solver)
 {
     struct direct_kernel *kernel = &solver->contact->kernel;
@@ -175,7 +175,7 @@ void direct_contact_select(struct direct_contact *contact, bool all)
     }
 }
 
-/** Sum of `count` pressures plus the shift, each clipped to 0 ... H; `free`: how many of them are not. */
+/** Sum of `count` pressures plus the shift, each clipped to 0 ... H; `free`: how many are not clipped. */
 CLONES static double clipped_sum(double *free, const double *pressure, size_t count, double shift, double hardness)
 {
     double part[4] = {0}, inside[4] = {0};
@@ -189,8 +189,8 @@ CLONES static double clipped_sum(double *free, const double *pressure, size_t co
     return sum(part);
 }
 
-/** Shifts the pressure where it is not 0, clipped to 0 ... H, until its mean is p̄ (Newton, kept within a bracket).
- * `set` is used for the points. With less than p̄/H of the points loaded, all of them are shifted. */
+/** Shifts the pressure where it is not 0, clipped to 0 ... H, so that its mean is p̄ (Newton's method within a bracket).
+ * All points are shifted if fewer than p̄/H of them are loaded. `set` is used for the points. */
 static void fit_mean(struct solver *solver)
 {
     struct direct_contact *contact = solver->contact;
@@ -203,7 +203,7 @@ static void fit_mean(struct solver *solver)
         all = !all;
         count = (double)contact->set_count;
     } while (count * hardness <= wanted && all);
-    double *at = kernel->field; /* those pressures, one after another */
+    double *at = kernel->field; /* the pressures to shift, one after another */
     for (size_t k = 0; k < contact->set_count; k++) {
         double p = at[k] = pressure[contact->set[k]];
         bounds[0] = p > bounds[0] ? p : bounds[0];
@@ -228,9 +228,9 @@ static void fit_mean(struct solver *solver)
     }
 }
 
-/** Over a strip's set: what the edge of a patch would pull, the points behind it give, as far as they press. A step
- * takes hold of a patch at its edges (direct_contact_stiffen() puts there what it finds between patches): one that
- * comes apart would lose two points an iteration. */
+/** Of a strip's set: where a step would leave tension at the edge of a patch, the points behind the edge give up as
+ * much, as far as they press. Steps act mainly at the edges of patches (direct_contact_stiffen() moves there what lies
+ * between patches), so that a patch that opens would otherwise lose only two points an iteration. */
 static void give_inwards(struct direct_contact *contact)
 {
     const uint32_t *set = contact->set;
@@ -249,7 +249,7 @@ static void give_inwards(struct direct_contact *contact)
     }
 }
 
-/** Elastic, over the set: pressures less tau times the direction, those that would pull at 0, scaled to the mean. */
+/** Elastic contact, on the set: pressures minus tau times the direction, 0 instead of tension, scaled to the mean. */
 static void move(struct solver *solver, double tau)
 {
     struct direct_contact *contact = solver->contact;
@@ -270,16 +270,16 @@ static void move(struct solver *solver, double tau)
         pressure[set[k]] *= scale;
 }
 
-/** The constant to take off 2 u - h, u the field: its mean where 0 < p < H, all of which is in `set`. With no such
- * point any value between the gaps of the points at H and of those at 0 will do; if the first are larger, the value
- * between puts both wrong. */
+/** lambda, the constant to subtract from 2 u - h, u the field: its mean where 0 < p < H, points that are all in `set`.
+ * Without such a point any value between the gaps of the points at H and those at 0 will do; if the first are larger,
+ * the value between them violates the conditions of both. */
 static double level(const struct solver *solver)
 {
     const struct direct_contact *contact = solver->contact;
     const struct direct_kernel *kernel = &contact->kernel;
     const double *u = kernel->field, *pressure = contact->pressure, *height_m = contact->height_m;
     size_t count = contact->set_count, number = 0;
-    double part[4] = {0}, ends[2] = {-INFINITY, -INFINITY}; /* highest, less the lowest */
+    double part[4] = {0}, ends[2] = {-INFINITY, -INFINITY}; /* highest, and minus the lowest */
     for (size_t k = 0; k < count; k += 4)
         for (size_t i = 0; i < 4 && k + i < count; i++) {
             uint32_t at = contact->set[k + i];
@@ -300,7 +300,7 @@ static double level(const struct solver *solver)
     return (ends[0] - ends[1]) / 2;
 }
 
-/** Of a row, from place `first` on: the gap, from the field, and which points are free or violate a condition. */
+/** Of a row, from place `first` on: the gap, from the field, and whether a point is free or violates a condition. */
 CLONES static void lay_row(struct direct_contact *contact, size_t first, double lambda, double hardness)
 {
     const double *u = contact->kernel.field + first, *p = contact->pressure + first, *h = contact->height_m + first;
@@ -320,9 +320,9 @@ static bool none(const uint8_t flag[BLOCK])
     return memcmp(flag, zeros, BLOCK) == 0;
 }
 
-/** Takes the gap from the field, K p, and lays the set anew: {0 < p < H}, and where a condition is violated, {p = 0, g
- * < 0} and {p = H, g > 0}. These wait until they are the worst (proportioning: Dostál, SIAM J. Optim. 7 (1997) 871);
- * else points change sides in every iteration and no direction lives. Returns max |g| over all of them. */
+/** Finds the gap from the field, K p, and the new set: {0 < p < H}, and the violators {p = 0, g < 0} and {p = H, g >
+ * 0}. Violators join only when they are the worst (proportioning: Dostál, SIAM J. Optim. 7 (1997) 871), as points would
+ * otherwise change sides in every iteration and no direction would last. Returns max |g| over all of these. */
 static double lay_set(struct solver *solver)
 {
     struct direct_contact *contact = solver->contact;
@@ -334,7 +334,7 @@ static double lay_set(struct solver *solver)
     size_t count = 0, kept = 0;
     bool joined[2] = {false};
     if (!isfinite(lambda))
-        return NAN; /* comparisons below would pass over it */
+        return NAN; /* comparisons below are false for it */
     for (size_t j = 0; j < kernel->ny; j++) {
         const size_t first = j * kernel->stride, before = count;
         lay_row(contact, first, lambda, hardness);
@@ -373,7 +373,7 @@ static double lay_set(struct solver *solver)
     contact->set_count = all || violated == 0 ? count : kept;
     solver->joined |= joined[1] || (all && joined[0]);
     solver->violators = all && violated > 0;
-    solver->mean = all ? gaps / (double)count : 0; /* where 0 < p < H it is 0 */
+    solver->mean = all ? gaps / (double)count : 0; /* without violators it is 0 */
     return all ? violated : free;
 }
 
@@ -402,13 +402,13 @@ static void add_line(double out[2], const double *value, size_t count)
     out[1] = sum(moments);
 }
 
-/** From one point of a strip's set to the next: values on the line through theirs; or (`back`) adds what lies between
- * to both by the same weights. Behind the last point comes the first. */
+/** Between a point of a strip's set and the next: interpolates values, or (`back`) adds the values between to the two
+ * points with the same weights. After the last point comes the first. */
 static void bridge(double *field, const uint32_t *set, size_t k, const struct direct_contact *contact, bool back)
 {
     size_t points = contact->kernel.nx, last = k + 1 == contact->set_count;
     size_t from = set[k], to = set[last ? 0 : k + 1], wide = last ? points + to - from : to - from;
-    size_t here = last ? points - from - 1 : wide - 1, round = last ? to : 0; /* so many points up to the end, beyond */
+    size_t here = last ? points - from - 1 : wide - 1, round = last ? to : 0; /* points up to the end, and after it */
     if (back) {
         double sums[2], more[2];
         add_line(sums, field + from + 1, here);
@@ -436,7 +436,7 @@ static void bridge_end(double *field, size_t first, size_t count, size_t end, bo
     }
 }
 
-/** All of a strip's set. */
+/** The same between all points of a strip's set. */
 static void bridge_all(struct direct_contact *contact, bool back)
 {
     const uint32_t *set = contact->set;
@@ -460,9 +460,9 @@ void direct_contact_stiffen(struct direct_contact *contact)
         bridge_all(contact, true);
 }
 
-/** Takes those points without pressure out of the set that a step against z would pull. Where many join at once z goes
- * up and down from one to the next: the length of a step takes the displacements to cancel, which they do not when half
- * of the points stay at 0, and the gaps behind it are tens of times those before. */
+/** Removes from the set the points without pressure on which a step against z would leave tension. Where many points
+ * join at once, z alternates from one to the next; the length of the step assumes that their displacements cancel,
+ * which fails when half of the points stay at 0, and the gaps grow tenfold. */
 static void drop_pulled(struct solver *solver, const double *z)
 {
     struct direct_contact *contact = solver->contact;
@@ -481,8 +481,8 @@ static void drop_pulled(struct solver *solver, const double *z)
     solver->mean = gaps / (double)kept;
 }
 
-/** The next direction t = z + (G/G of the last) t on the set, of sum zero; z = M g, M = |q| on the set. A strip forgets
- * the last one where G rises, as it does when many points have left. Returns <g, t>; the field holds t. */
+/** The next direction t = z + (G/last G) t on the set, with sum zero; z = M g, M = |q| on the set. On a strip the last
+ * direction is dropped when G rises, as it does when many points have left. Returns <g, t>; the field holds t. */
 static double turn(struct solver *solver)
 {
     struct direct_contact *contact = solver->contact;
@@ -571,7 +571,7 @@ static enum status_code iterate(struct solver *solver, double tolerance, struct 
                                    "the direct solution does not converge at p/E' = %g (violation %.1e of the "
                                    "roughness after %zu iterations); use a finer grid, denser scans or another load",
                                    solver->load->mean_pressure, violation, solver->contact->iterations);
-            solver->preconditioned = false; /* once more, without */
+            solver->preconditioned = false; /* try again without */
             solver->joined = true;
             waited = 0;
             best = INFINITY;
@@ -581,8 +581,8 @@ static enum status_code iterate(struct solver *solver, double tolerance, struct 
     }
 }
 
-/** Moves a strip's pressures along their response to p̄ until their mean is p̄, those that would pull left at 0 (Newton:
- * the mean is convex in the step). */
+/** Moves the pressures of a strip along their response to the load until their mean is p̄, 0 instead of tension
+ * (Newton's method: the mean is convex in the step). */
 static void follow_response(struct solver *solver)
 {
     struct direct_contact *contact = solver->contact;
@@ -604,8 +604,8 @@ static void follow_response(struct solver *solver)
         pressure[set[i]] += step * response[set[i]];
 }
 
-/** Adds the pressure of the coarse grid times `sign`, on straight lines between its points, to the direction; at the
- * edges of a mirrored one too, where it is a start as good. */
+/** Adds the pressure of the coarse grid times `sign`, interpolated linearly, to the direction; also at the edges of a
+ * mirrored grid, where it is as good a start. */
 static void add_coarse(struct direct_contact *contact, double sign)
 {
     const struct direct_kernel *fine = &contact->kernel, *coarse = &contact->coarse->kernel;
@@ -613,7 +613,7 @@ static void add_coarse(struct direct_contact *contact, double sign)
     memset(fine->field, 0, fine->ny * fine->stride * sizeof(double));
     for (size_t turn = 0; turn < coarse->ny; turn++) {
         const double *row = contact->coarse->pressure + turn * coarse->stride;
-        for (size_t k = 0; k < 3; k++) { /* the fine rows before, on and behind it */
+        for (size_t k = 0; k < 3; k++) { /* the fine rows before, on and after it */
             double *to = fine->field + (2 * turn + k + fine->ny - 1) % fine->ny * fine->stride;
             double weight = k == 1 ? sign : sign / 2;
             for (size_t i = 0; i < nx; i++) {
@@ -626,8 +626,8 @@ static void add_coarse(struct direct_contact *contact, double sign)
         contact->direction[k] += fine->field[k];
 }
 
-/** Solves the coarse grid and changes the pressure by as much as it changed there; without a last solution (`warm`), to
- * what it is there. False: it has no solution. */
+/** Solves on the coarse grid and changes the pressure by as much as it changed there (`warm`), else sets it to the
+ * pressure there. False: there is no solution. */
 static bool follow_coarse(struct solver *solver, bool warm)
 {
     struct direct_contact *contact = solver->contact, *coarse = contact->coarse;
@@ -647,15 +647,16 @@ static bool follow_coarse(struct solver *solver, bool warm)
     }
     contact->convolutions += coarse->convolutions / 4;
     if (warm && coarse->iterations == 0)
-        return true; /* all that has changed is rounding, which would press points that are apart */
+        return true; /* only rounding has changed, which would put pressure on points that are apart */
     add_coarse(contact, 1);
     for (size_t k = 0; k < places; k++)
         contact->pressure[k] = (warm ? contact->pressure[k] : 0) + contact->direction[k];
     return true;
 }
 
-/** Pressures to start from: those of the last solution, changed as on the coarse grid, of a strip by their response, or
- * (`begun`) just scaled; without one, those of the coarse grid or p̄ everywhere. `set` becomes all points. */
+/** Pressures to start from: those of the last solution, changed as on the coarse grid, along the response of a strip or
+ * (`begun`) only scaled; without a last solution those of the coarse grid, or p̄ everywhere. `set` becomes all points.
+ */
 static void start(struct solver *solver, bool warm, bool begun)
 {
     struct direct_contact *contact = solver->contact;
@@ -683,7 +684,7 @@ static enum status_code solve(struct solver *solver, struct status *status)
     struct direct_contact *contact = solver->contact;
     const struct direct_contact_load *load = solver->load;
     bool capped = isfinite(load->hardness), warm = load->warm && contact->solved;
-    bool begun = capped && warm && contact->capped; /* no elastic solution between */
+    bool begun = capped && warm && contact->capped; /* without an elastic solution in between */
     solver->hardness = INFINITY;
     solver->preconditioned = true;
     start(solver, warm, begun);
@@ -693,11 +694,11 @@ static enum status_code solve(struct solver *solver, struct status *status)
             return status->code;
         if (!exceeds(contact, load->hardness) && iterate(solver, load->tolerance, status) != STATUS_OK)
             return status->code;
-        if (!exceeds(contact, load->hardness)) /* the hardness is not reached anywhere */
+        if (!exceeds(contact, load->hardness)) /* the hardness is reached nowhere */
             return STATUS_OK;
     }
     solver->hardness = load->hardness;
-    solver->preconditioned = false; /* with it points chatter between 0 and H */
+    solver->preconditioned = false; /* with it points jump between 0 and H */
     fit_mean(solver);
     displace(solver);
     return iterate(solver, load->tolerance, status);

@@ -18,26 +18,26 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/** A surface and the state of its contact. Fields have the kernel's rows and stride: the point (i along x, j along y)
- * is at j stride + i. About 67 bytes a point, 4 more for each of what repeats while its patches are counted, or 8 for
- * each in contact while its constriction is solved. Owned: direct_contact_free(). */
+/** A surface and the state of its contact. Fields have the rows and the stride of the kernel: the point (i along x, j
+ * along y) is at j stride + i. About 67 bytes a point, and while patches are counted 4 a point with its mirror images,
+ * while constriction is solved 8 a point in contact. Owned: direct_contact_free(). */
 struct direct_contact {
     struct direct_kernel kernel;
     double *height_m;
     double *pressure;              /* p/E' */
-    double *gap_m;                 /* g; overlap that has flowed is negative */
-    double *direction;             /* the solver's */
+    double *gap_m;                 /* g; negative where the surface has flowed */
+    double *direction;             /* search direction of the solver */
     double *response;              /* of a strip: d(pressure)/d(mean pressure) when last found; else NULL */
-    uint32_t *set;                 /* the solver's points at work: their places in a field, ascending */
-    uint8_t *taken;                /* a row's points that belong to it by their pressure and gap */
-    uint8_t *member;               /* whether a point is in it; between solutions, what is in contact */
+    uint32_t *set;                 /* the points the solver works on: their places in a field, ascending */
+    uint8_t *taken;                /* of one row: whether a point's pressure and gap put it into the set */
+    uint8_t *member;               /* whether a point is in the set; between solutions, whether it is in contact */
     uint8_t *rows;                 /* whether a row has points of the set */
-    struct direct_contact *coarse; /* every second point of every second row; NULL: too few of them */
+    struct direct_contact *coarse; /* every second point of every second row; NULL: too few points */
     size_t set_count;
     double rms_m;                    /* root mean square of the height about its mean */
-    bool solved;                     /* pressure and gap_m hold a solution, to start the next from */
-    bool capped;                     /* that with a hardness which it reaches */
-    size_t iterations, convolutions; /* that the last load to be solved took, with its constriction */
+    bool solved;                     /* pressure and gap_m hold a solution from which the next may start */
+    bool capped;                     /* that solution reaches its hardness */
+    size_t iterations, convolutions; /* of the last load, with its constriction */
 };
 
 /** What to solve for. */
@@ -53,27 +53,28 @@ struct direct_contact_load {
  * is not finite, or a flat surface. */
 MUST_CHECK enum status_code direct_contact_make(struct direct_contact *out, const double *height_m,
                                                 const struct direct_grid *grid, struct status *status);
-/** The same of other heights on the grid of a strip, whose plans are kept. Error: STATUS_MODEL, as above. */
+/** Other heights on the grid of a strip, whose plans are kept. Error: STATUS_MODEL, as above. */
 MUST_CHECK enum status_code direct_contact_lay(struct direct_contact *contact, const double *height_m,
                                                struct status *status);
 void direct_contact_free(struct direct_contact *contact);
 
 /** Solves for one load. Method: Polonsky and Keer, Wear 231 (1999) 206, with points that violate a condition in one set
- * with the others, and, for elastic contact, the preconditioner |q|E'/2 on the set. It starts from the elastic solution
- * of the coarse grid. A hardness starts from the elastic solution. Errors: STATUS_MODEL: p̄ >= H (complete contact,
- * which the hardness does not define), a load that is no positive number, no convergence; STATUS_INTERRUPTED. */
+ * with the others and, for elastic contact, the preconditioner |q|E'/2 on the set. Elastic contact starts from the
+ * solution on the coarse grid, contact with a hardness from the elastic one. Errors: STATUS_MODEL: p̄ >= H (complete
+ * contact, which the hardness does not define), a load that is no positive number, no convergence; STATUS_INTERRUPTED.
+ */
 MUST_CHECK enum status_code direct_contact_solve(struct direct_contact *contact, const struct direct_contact_load *load,
                                                  struct status *status);
 
-/** Replaces values on the set, held by the field with 0 elsewhere, by about what the inverse of the compliance on the
- * set makes of them: |q| on the set. In a strip they are carried on linearly from edge to edge across what lies
- * between, E, and |q| acts between E and its transpose: an edge is then no jump, which |q| would answer with spikes. */
+/** Multiplies values on the set (the field, 0 elsewhere) by about the inverse of the compliance on the set: |q| on the
+ * set. In a strip the values are first continued linearly from edge to edge across what lies between (E), and E
+ * transposed |q| E is taken: without jumps at the edges, which |q| would turn into spikes. */
 void direct_contact_stiffen(struct direct_contact *contact);
 
-/** Makes the set of the points under pressure, or of all. */
+/** Makes the set: the points under pressure, or all. */
 void direct_contact_select(struct direct_contact *contact, bool all);
 
-/** Where the bodies touch, p > 0: ny rows of nx, 1 where they do. The contact's, until it is solved again. */
+/** Whether the bodies touch (p > 0), ny rows of nx; belongs to the contact, until it is solved again. */
 const uint8_t *direct_contact_touching(struct direct_contact *contact);
 
 #endif

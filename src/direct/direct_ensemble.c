@@ -8,7 +8,7 @@
 
 const double direct_ensemble_making = 7.5;
 
-/** What the threads work at: the fine grid if there is one, and then every seed. */
+/** The work of the threads: the fine grid if there is one, then every seed. */
 struct tasks {
     const struct direct_ensemble_def *def;
     struct direct_ensemble *ensemble;
@@ -21,7 +21,7 @@ static void tell(const struct direct_ensemble_def *def, double work)
         def->solved(def->solved_context, work);
 }
 
-/** What a surface with given heights costs to make, and the ladder of n x n points, in points solved. */
+/** Work to make a surface with given heights and to solve the ladder on n x n points, in points times loads. */
 static double making_work(const struct direct_ensemble_def *def)
 {
     return def->recipe.given_m && !def->map ? direct_ensemble_making * (double)(def->n * def->n) : 0;
@@ -32,7 +32,7 @@ static double ladder_work(const struct direct_ensemble_def *def, size_t n)
     return (double)(n * n) * (double)def->ladder.loads;
 }
 
-/** The ladder of a grid's heights, which are freed as soon as they are taken; each load is told of. */
+/** Solves the ladder of a grid's heights, which are freed as soon as they are copied, and tells of each load. */
 static enum status_code solve_heights(struct direct_point *out, double *height_m, const struct direct_grid *grid,
                                       const struct direct_ensemble_def *def, struct status *status)
 {
@@ -122,7 +122,7 @@ static struct direct_mean mean_of(const struct direct_point *point, size_t count
     return (struct direct_mean){sum / n, n > 1 ? sqrt(square / (n - 1) / n) : NAN, 1};
 }
 
-/** Of the seeds, corrected by the fine grid's ratio; a quantity that is 0 on the coarse grid is 0 on the fine one. */
+/** Means over the seeds, corrected by the ratio of the fine grid; what is 0 on the coarse grid is 0 on the fine one. */
 static struct direct_mean over_seeds(const struct direct_ensemble *ensemble, const struct direct_point *fine,
                                      size_t load, enum direct_quantity quantity)
 {
@@ -135,7 +135,7 @@ static struct direct_mean over_seeds(const struct direct_ensemble *ensemble, con
     return mean;
 }
 
-/** Of a map, with its error. */
+/** Values of a map with their errors. */
 static struct direct_mean of_map(const struct direct_ensemble *ensemble, const struct direct_map *map, size_t load,
                                  enum direct_quantity quantity)
 {
@@ -147,7 +147,7 @@ static struct direct_mean of_map(const struct direct_ensemble *ensemble, const s
     if (direct_map_has(map, DIRECT_MAP_WIDER))
         error = hypot(error, value[DIRECT_MAP_WIDER] - value[DIRECT_MAP_SECOND]);
     for (int k = DIRECT_MAP_QUARTER; k < DIRECT_MAP_PARTS && direct_map_has(map, DIRECT_MAP_QUARTER); k++)
-        error = hypot(error, (value[k] - value[DIRECT_MAP_WHOLE]) / sqrt(4 * 3)); /* half their scatter round it */
+        error = hypot(error, (value[k] - value[DIRECT_MAP_WHOLE]) / sqrt(4 * 3)); /* half their scatter about it */
     return (struct direct_mean){value[DIRECT_MAP_WHOLE], fabs(error), 1};
 }
 

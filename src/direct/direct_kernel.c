@@ -9,24 +9,24 @@
 #include <string.h>
 
 enum {
-    BLOCK = 8, /* columns copied out together: two lines of cache a row */
-    GAP = 4    /* values between them, lest all begin at the same place of the cache */
+    BLOCK = 8, /* columns copied together: two cache lines a row */
+    GAP = 4    /* values between them, so that they do not share a place of the cache */
 };
 
-/** Where the k-th of n values stands that a mirrored line's transform takes: first every second one, then the others
- * from the end on. */
+/** Place of the k-th of n values in the transform of a mirrored line: first every second value, then the others
+ * backwards. */
 static size_t place(size_t k, size_t n)
 {
     return 2 * k < n ? 2 * k : 2 * (n - k) - 1;
 }
 
-/** How often a column of the transform, which has but half of them, stands in the whole one. */
+/** How often a column of the stored half stands in the whole transform. */
 static double times(const struct direct_kernel *kernel, size_t i)
 {
     return i == 0 || 2 * i == kernel->nx ? 1 : 2;
 }
 
-/** A convolution, or (`filter` false) half of one for its energy. */
+/** A convolution, or (`filter` false) half of one for the energy. */
 struct pass {
     struct direct_kernel *kernel;
     enum direct_table table;

@@ -16,8 +16,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* Loops over all points are compiled for AVX2 as well, and the choice made when the program starts, which sanitizers
- * come too late for. No product is fused with a sum: the bytes are the same either way. */
+/* Loops over all points are also compiled for AVX2, chosen when the program starts (not under sanitizers, which start
+ * too late). No product is fused with a sum, so that the bytes are the same. */
 #if defined __x86_64__ && defined __GLIBC__ && !defined __clang__ && !defined __SANITIZE_ADDRESS__ &&                  \
     !defined __SANITIZE_THREAD__
 #define CLONES __attribute__((target_clones("avx2", "default")))
@@ -25,27 +25,27 @@
 #define CLONES
 #endif
 
-/** Points a side of a square: the places of a process fit 31 bits. */
+/** Points a side of a square: indices fit 31 bits. */
 enum { DIRECT_KERNEL_MOST = 32768 };
 
-/** ny rows of nx points that repeat; or (`mirrored`, of a square or one row) their mirror images beyond every edge do,
- * twice as long a side. */
+/** ny rows of nx points, repeated periodically; or (`mirrored`, a square or one row) continued by their mirror images,
+ * with a period of two sides. */
 struct direct_grid {
     size_t nx, ny;
     double spacing_m; /* dx, the same in both directions */
     bool mirrored;
-    bool single; /* transforms in single precision: a third to a half faster, and good to some 1e-6 of a field's size */
+    bool single; /* transforms in single precision: a third to a half faster, with errors of about 1e-6 of the field */
 };
 
-/** What a convolution multiplies by. */
+/** Factors of a convolution. */
 enum direct_table {
     DIRECT_COMPLIANCE, /* 1/|q| [m], 0 at q = 0 */
     DIRECT_STIFFNESS,  /* |q| [1/m] */
     DIRECT_TABLES
 };
 
-/** A grid and one field on it to transform. Of a mirrored one only the points themselves are held: their cosine
- * transform is what that of all images holds, for a quarter of the points (Makhoul, IEEE Trans. Acoust. Speech Signal
+/** A grid and one field on it to transform. Of a mirrored grid only the points themselves are stored, a quarter of a
+ * period: their cosine transform equals the transform with all images (Makhoul, IEEE Trans. Acoust. Speech Signal
  * Process. 28 (1980) 27). Owned: direct_kernel_free(). */
 struct direct_kernel {
     size_t nx, ny;
@@ -54,9 +54,9 @@ struct direct_kernel {
     double spacing_m; /* dx */
     bool mirrored, single;
     double *field;     /* ny x stride */
-    void *room;        /* what transforms take, of the kernel's precision (direct_passes.h) */
+    void *room;        /* room, plans and tables in the kernel's precision (direct_passes.h) */
     size_t transforms; /* of the field, forth or back, done so far: two a convolution */
-    bool exhausted;    /* what leads it found no memory: the field is of no use, nor what is made of it */
+    bool exhausted;    /* out of memory: the field and what follows from it are of no use */
 };
 
 /** nx >= 2, ny >= 1, the same, 8 or more, of a mirrored grid; with ny = 1 it is a strip, without strain across. A
@@ -69,12 +69,12 @@ MUST_CHECK enum status_code direct_kernel_make(struct direct_kernel *out, const 
                                                struct status *status);
 void direct_kernel_free(struct direct_kernel *kernel);
 
-/** Replaces `field` f by the field with the transform f̂ times the table; the stiffness is the compliance's inverse, for
- * a field of mean 0. `wanted`, one a row: whether; others then hold nothing of use. NULL: all. Rows
- * of zeros, and those not wanted, cost nothing. */
+/** Multiplies the transform of `field` by the table; stiffness is the inverse of compliance for a field of mean 0.
+ * `wanted`: one flag a row, NULL: all rows; other rows hold nothing of use afterwards. Rows of zeros and those not
+ * wanted cost nothing. */
 void direct_kernel_convolve(struct direct_kernel *kernel, enum direct_table table, const uint8_t *wanted);
 
-/** <f, table f>, by Parseval's theorem half a convolution; `field` f is used up. */
+/** <f, table f> by Parseval's theorem, for half a convolution; `field` f is overwritten. */
 double direct_kernel_energy(struct direct_kernel *kernel, enum direct_table table);
 
 #endif

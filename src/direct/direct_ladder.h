@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* One surface under rising loads, each started from the solution before. */
+/* One surface under rising loads, each solved from the solution before. */
 #ifndef DIRECT_LADDER_H
 #define DIRECT_LADDER_H
 
@@ -23,7 +23,7 @@ struct direct_point {
     size_t convolutions;
 };
 
-/** What is averaged of it. */
+/** The quantities that are averaged. */
 enum direct_quantity { DIRECT_AREA, DIRECT_GAP, DIRECT_CONSTRICTION, DIRECT_PATCHES, DIRECT_QUANTITIES };
 double direct_point_value(const struct direct_point *point, enum direct_quantity quantity);
 

@@ -8,19 +8,19 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { LEAST = 8, LEAST_LINE = 4 }; /* points a side of a square, and of a row or column that is looked at */
+enum { LEAST = 8, LEAST_LINE = 4 }; /* points a side of a square, and of a row or column that counts */
 
-static const double cutoff_spacings = 6; /* what a map holds below is noise and steps to a solution */
+static const double cutoff_spacings = 6; /* a direct solution cannot tell shorter waves from noise and steps */
 static const double noise_share = 0.02;  /* of the mean square slope, below that: the low-pass is needed */
-static const double most_seam = 3;       /* mean square second difference across the join of a periodic map's ends, over
-                                            that inside: of any other it is far more */
+static const double most_seam = 3; /* mean square second difference across the join of the ends over that inside; of a
+                                      map that is not periodic far more */
 
 struct direct_map_lines direct_map_lines(size_t nx, size_t ny, bool columns)
 {
     return columns ? (struct direct_map_lines){nx, 1, ny, nx} : (struct direct_map_lines){ny, nx, nx, 1};
 }
 
-/** What the rows, or the columns, of a map say. */
+/** Figures of the rows, or the columns, of a map. */
 struct lines {
     size_t count;        /* without a missing point */
     double seam, inside; /* mean squares of their second differences, across the join of their ends and inside */
@@ -62,8 +62,8 @@ static enum status_code look_along(struct lines *out, const double *height_m, st
     return status->code;
 }
 
-/** Convolves the lines of a map with a Gaussian of `reach` weights to a side; beyond an
- * end a record goes on as its mirror image, or of a periodic map at its other end. `room`: points + 2 reach. */
+/** Convolves the lines of a map with a Gaussian of `reach` weights to a side; beyond its ends a line is continued by
+ * its mirror image, that of a periodic map by its other end. `room`: points + 2 reach. */
 static void smooth_along(double *field, struct direct_map_lines lines, const double *weight, size_t reach,
                          bool periodic, double *room)
 {
@@ -102,7 +102,7 @@ static enum status_code low_pass(double *smooth, const double *height, const str
     for (size_t r = 0; r <= reach; r++)
         weight[r] /= sum;
     for (size_t k = 0; k < count; k++) {
-        offset = isnan(offset) ? height[k] : offset; /* of which what is left over has all its digits */
+        offset = isnan(offset) ? height[k] : offset; /* so that the difference keeps its digits */
         there[k] = isfinite(height[k]);
         smooth[k] = there[k] > 0 ? height[k] - offset : 0;
     }
@@ -134,7 +134,7 @@ enum status_code direct_map_condition(double *height_m, struct direct_map_def *d
     if (!flat)
         return status_memory(status);
     double *smooth = flat + nx * ny;
-    if (areal_flatten(flat, &scan, &none) != STATUS_OK) /* else a slope would bend where it is mirrored */
+    if (areal_flatten(flat, &scan, &none) != STATUS_OK) /* a slope would make a kink where it is mirrored */
         memcpy(flat, height_m, nx * ny * sizeof *flat);
     if (low_pass(smooth, flat, def, status) == STATUS_OK)
         for (size_t k = 0; k < nx * ny; k++)
@@ -163,7 +163,8 @@ static double nearest(const double *height, const bool *missing, size_t n, size_
     return value;
 }
 
-/** Takes the least-squares plane off, or only the mean; about the middle of a full square its three sums part. */
+/** Subtracts the least-squares plane, or only the mean; about the middle of a full square its three sums are
+ * independent. */
 static void take_plane(double *height, size_t n, bool mean_only)
 {
     double mean = 0, along = 0, across = 0, square = 0, middle = (double)(n - 1) / 2, count = (double)(n * n);
@@ -180,7 +181,7 @@ static void take_plane(double *height, size_t n, bool mean_only)
         height[k] -= mean + along / square * ((double)(k % n) - middle) + across / square * ((double)(k / n) - middle);
 }
 
-/** Missing points take the nearest one's height, smoothed as the map has been, so that no steps stand between them. */
+/** Gives missing points the height of the nearest one, smoothed like the map, so that no steps are left. */
 static enum status_code fill(double *height, const bool *missing, size_t n, double cutoff, struct status *status)
 {
     const struct direct_map_def square = {.nx = n, .ny = n, .cutoff = cutoff};

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The transforms of direct_kernel.c, which includes this once for each precision: REAL is the type of a value, OF(name)
- * a name here, FFT(name) one of FFTW's, LANES the values of 32 bytes, complex numbers by two, SWAPPED the order with
- * the parts of each exchanged, REVERSED that of the numbers turned over. Fields are double in both: a row is converted
- * as it is laid out for its transform. In single precision lengths are in units of the spacing: no value leaves its
- * range. */
+ * a name here, FFT(name) one of FFTW's, LANES how many values fill 32 bytes, SWAPPED the order that exchanges the parts
+ * of complex numbers, REVERSED that which reverses the numbers. Fields are double in both precisions: a row is
+ * converted when it is laid out for its transform. In single precision lengths are in units of the spacing, so that no
+ * value leaves its range. */
 
 typedef REAL OF(lanes) __attribute__((vector_size(32), aligned(sizeof(REAL)), may_alias));
 
@@ -20,8 +20,8 @@ struct OF(room) {
     FFT(plan) row_forward, row_backward, column_forward, column_backward;
 };
 
-/** exp(-i pi k/(2 n)), k = -n ... 2 n, as what a product takes: the real part twice, and the imaginary part with either
- * sign. */
+/** exp(-i pi k/(2 n)), k = -n ... 2 n, laid out for products: the real part twice, the imaginary part with either sign.
+ */
 static void OF(fill_turn)(REAL *turn, size_t n)
 {
     for (size_t k = 0; k <= 3 * n; k++) {
@@ -32,7 +32,8 @@ static void OF(fill_turn)(REAL *turn, size_t n)
     }
 }
 
-/** |q|, or its inverse, of wave (i, j), over the points: an unnormalised pair of transforms multiplies by them. */
+/** |q|, or its inverse, of wave (i, j), divided by the number of points, by which an unnormalised pair of transforms
+ * multiplies. */
 static double OF(factor)(const struct direct_kernel *kernel, enum direct_table table, size_t i, size_t j)
 {
     double side_m = (kernel->mirrored ? 2 : 1) * (kernel->single ? 1 : kernel->spacing_m), n = (double)kernel->points;
@@ -40,8 +41,8 @@ static double OF(factor)(const struct direct_kernel *kernel, enum direct_table t
     return table == DIRECT_STIFFNESS ? q / n : q > 0 ? 1 / (q * n) : 0;
 }
 
-/** Factors of column i. Of a mirrored grid those of multiply_mirrored(): all S, then all D, for either part; of a
- * strip those of pass_row(), for either part. */
+/** Factors of column i; of a mirrored grid those of multiply_mirrored(): all S, then all D, for both parts; of a strip
+ * those of pass_row(), for both parts. */
 static void OF(fill_column)(const struct direct_kernel *kernel, enum direct_table table, REAL *out, size_t i)
 {
     const size_t n = kernel->ny, half = n / 2 + 1;
@@ -152,7 +153,7 @@ CLONES static void OF(lay_out)(REAL *line, const double *row, size_t n, bool mir
         line[n / 2] = (REAL)(factor * row[n - 1]);
 }
 
-/** The same the other way round. */
+/** The same backwards. */
 CLONES static void OF(take_back)(double *row, const REAL *line, size_t n, bool mirrored, double factor)
 {
     for (size_t i = 0; !mirrored && i < n; i++)
@@ -181,7 +182,7 @@ static void OF(transform_rows)(const struct pass *pass)
     }
 }
 
-/** Those wanted; NULL: all. */
+/** The rows that are wanted; NULL: all. */
 static void OF(transform_rows_back)(const struct pass *pass)
 {
     const struct direct_kernel *kernel = pass->kernel;
@@ -195,7 +196,7 @@ static void OF(transform_rows_back)(const struct pass *pass)
     }
 }
 
-/** A transformed column times its factors, from 0 up to half of the waves and down again. */
+/** Multiplies a transformed column by its factors, which go up to half of the waves and down again. */
 CLONES static void OF(multiply)(FFT(complex) * out, const FFT(complex) * in, const REAL *factor, size_t ny)
 {
     for (size_t j = 0; j <= ny / 2; j++) {
@@ -208,7 +209,7 @@ CLONES static void OF(multiply)(FFT(complex) * out, const FFT(complex) * in, con
     }
 }
 
-/** Turns numbers by those of a table, or (`sign` -1) by their conjugates. */
+/** Multiplies numbers by those of a table, or (`sign` -1) by their conjugates. */
 INLINE void OF(turn)(OF(lanes) * value, const REAL *real, const REAL *imaginary, REAL sign)
 {
     *value = *value * *(const OF(lanes) *)real +
@@ -241,7 +242,7 @@ CLONES static void OF(multiply_mirrored)(FFT(complex) * out, const FFT(complex) 
     }
 }
 
-/** Sum of the products of `count` numbers' parts. */
+/** Sum of the products of the parts of `count` numbers. */
 CLONES static double OF(product)(const FFT(complex) * a, const FFT(complex) * b, size_t count)
 {
     const REAL *x = *a, *y = *b;
@@ -257,7 +258,7 @@ CLONES static double OF(product)(const FFT(complex) * a, const FFT(complex) * b,
     return sum;
 }
 
-/** Columns from `first` on out to where each is whole; or back. */
+/** Copies columns from `first` on to where each is contiguous; or back. */
 static void OF(copy_columns)(struct direct_kernel *kernel, size_t first, bool back)
 {
     struct OF(room) *room = kernel->room;
@@ -272,7 +273,7 @@ static void OF(copy_columns)(struct direct_kernel *kernel, size_t first, bool ba
     }
 }
 
-/** All columns, some at a time: forth, times the table, and back; or only their energy. */
+/** All columns, some at a time: transform, times the table, and back; or only their energy. */
 static void OF(pass_columns)(struct pass *pass)
 {
     struct direct_kernel *kernel = pass->kernel;

@@ -12,7 +12,7 @@ double direct_area_corrected(const struct direct_quantities *quantities, size_t 
     return fmax(0, ((double)quantities->contact_points - kappa * (double)quantities->perimeter_faces) / (double)points);
 }
 
-/** What stands behind the k-th of n rows or columns: of the last one the first, or its own mirror image. */
+/** The row or column after the k-th of n: after the last the first, or its own mirror image. */
 static size_t behind(const struct direct_kernel *kernel, size_t k, size_t n)
 {
     return k + 1 < n ? k + 1 : kernel->mirrored ? k : 0;
@@ -39,11 +39,11 @@ struct direct_quantities direct_quantities_of(struct direct_contact *contact, co
     out.area_ratio =
         fmax(direct_area_corrected(&out, kernel->points, direct_kappa), load->mean_pressure / load->hardness);
     bool complete = out.contact_points == kernel->points && isinf(load->hardness);
-    out.gap_m = complete ? 0 : open / (double)kernel->points; /* what is left there is the solver's tolerance */
+    out.gap_m = complete ? 0 : open / (double)kernel->points; /* what is left is the tolerance of the solver */
     return out;
 }
 
-/** The root of a point's tree, the path to it halved. */
+/** Root of the tree of a point; halves the path to it. */
 static uint32_t root(uint32_t *parent, size_t k)
 {
     while (parent[k] != k)
@@ -59,7 +59,7 @@ static bool join(uint32_t *parent, size_t a, size_t b)
     return x != y;
 }
 
-/** Of the point that stands at (i, j) of what repeats. */
+/** Index of the point at (i, j) of a period. */
 static size_t place(const struct direct_kernel *kernel, size_t i, size_t j)
 {
     size_t column = i < kernel->nx ? i : 2 * kernel->nx - 1 - i, row = j < kernel->ny ? j : 2 * kernel->ny - 1 - j;
@@ -78,7 +78,7 @@ enum status_code direct_patches(size_t *count, struct direct_contact *contact, s
     for (size_t k = 0; k < points; k++)
         parent[k] = (uint32_t)k;
     for (size_t j = 0; j < ny; j++)
-        for (size_t i = 0; i < nx; i++) { /* each point is one until it is joined */
+        for (size_t i = 0; i < nx; i++) { /* each point is a patch until it is joined */
             size_t right = i + 1 < nx ? i + 1 : 0, above = j + 1 < ny ? j + 1 : 0, k = j * nx + i;
             bool own = touching[place(kernel, i, j)];
             *count += own;

@@ -1,17 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a solved contact amounts to: area, gap, patches. */
+/* Area, gap and patches of a solved contact. */
 #ifndef DIRECT_QUANTITIES_H
 #define DIRECT_QUANTITIES_H
 
 #include "direct/direct_contact.h"
 
-/** A point of a grid stands for dx² of contact; where the outline passes, that is too much by kappa dx² a face between
- * a point in contact and one that is not. DIRECT_KAPPA was measured on random surfaces against extrapolation to dx = 0
- * (0.084 ... 0.125); Yastrebov, Anciaux and Molinari, J. Mech. Phys. Solids 107 (2017) 469, have (pi - 1 + ln 2)/24 for
- * outlines in all directions. */
+/** A grid point in contact counts as dx², which is too much along the outline, by kappa dx² for each face between a
+ * point in contact and one that is not. DIRECT_KAPPA was measured on random surfaces against extrapolation to dx = 0
+ * (0.084 ... 0.125); for outlines of any direction it is (pi - 1 + ln 2)/24 (Yastrebov, Anciaux and Molinari, J. Mech.
+ * Phys. Solids 107 (2017) 469). */
 extern const double direct_kappa, direct_kappa_yastrebov;
 
-/** Of one solution, on the points of its grid; those of a mirrored one are a quarter of what repeats. */
+/** Of one solution, counted on the points of its grid, without mirror images. */
 struct direct_quantities {
     size_t contact_points;  /* p > 0 */
     size_t perimeter_faces; /* between such a point and one that is not, periodic; outline S_d = faces dx */
@@ -26,8 +26,8 @@ struct direct_quantities direct_quantities_of(struct direct_contact *contact, co
 /** Area corrected with another kappa, neither limited by the hardness nor below 0. */
 double direct_area_corrected(const struct direct_quantities *quantities, size_t points, double kappa);
 
-/** How many connected patches of contact there are in what repeats, points touching along a face. Error: STATUS_MEMORY.
- */
+/** Number of connected patches of contact in a period, mirror images included; points connect along a face. Error:
+ * STATUS_MEMORY. */
 MUST_CHECK enum status_code direct_patches(size_t *count, struct direct_contact *contact, struct status *status);
 
 #endif

@@ -36,13 +36,13 @@ static void sum_powers(double sums[3], const struct direct_law *law)
     }
 }
 
-/** Gives the law the exponent, within -2 ... 8, with which it has sums[2]/sums[0] = `wanted`, which falls with it; its
- * sums, and the range there is. False: none. By secants of its logarithm, which is nearly straight, the end that stays
- * halved (Illinois): 10 sums where halving the range takes 52. */
+/** Gives the law the exponent, within -2 ... 8, with which sums[2]/sums[0] = `wanted` (the ratio falls with the
+ * exponent), and its sums. False: none. By secants of the logarithm of the ratio, which is nearly straight, with the
+ * Illinois rule: 10 sums where bisection takes 52. */
 static bool match_gamma(struct direct_law *law, double sums[3], double range[2], double wanted)
 {
     enum { STEPS = 100 };
-    double limits[2] = {8, -2}, off[2]; /* where the ratio is too small, too large; by how much */
+    double limits[2] = {8, -2}, off[2]; /* exponents where the ratio is too small and too large; by how much */
     size_t before = 2;
     for (int end = 0; end < 2; end++) {
         law->gamma = limits[end];
@@ -86,7 +86,7 @@ enum status_code direct_law_match(struct direct_law *out, const double moments[3
                            "reaches slopes from %.3g to %.3g; choose another lambda_s",
                            lambda_s_m, sqrt(m0_m2), sqrt(m2), sqrt(range[0] * m2 / wanted),
                            sqrt(range[1] * m2 / wanted));
-    while (high - low > 1e-12 * high) { /* m1/sqrt(m0 m2) rises with the roll-off, until no gamma is steep enough */
+    while (high - low > 1e-12 * high) { /* m1/sqrt(m0 m2) rises with the roll-off until no gamma is steep enough */
         out->roll_off = (low + high) / 2;
         bool found = match_gamma(out, sums, range, wanted);
         if (found && sums[1] < share * sqrt(sums[0] * sums[2]))
@@ -115,7 +115,7 @@ enum status_code direct_spectrum_of_law(struct direct_spectrum *out, const struc
         return status_memory(status);
     double *w = out->weight_m2, end = (double)((count + 1) * (count + 1));
     for (size_t m = count; m >= 1; m--) {
-        /* P1(m)/2 = v(m, 0) + 2 sum_{j > 0} v(m, j), of which the part with w_m is not known yet */
+        /* P1(m)/2 = v(m, 0) + 2 sum_{j > 0} v(m, j); only the part with w_m is not known yet */
         double known = 0, factor = between(out, (double)m);
         for (size_t j = 1; (double)(m * m + j * j) < end; j++) {
             double r = sqrt((double)(m * m + j * j)), power = 2 * between(out, r);
@@ -174,7 +174,7 @@ static double phase(uint64_t seed, long i, long j)
     return 2 * M_PI * direct_random(seed, index);
 }
 
-/** Heights of n x n points and their transform, in one place. */
+/** Heights of n x n points, or their transform in the same place. */
 struct modes {
     size_t n, stride;
     double *field;     /* n x stride */
@@ -322,8 +322,8 @@ static enum status_code quantiles(double *out, size_t count, const struct direct
     return STATUS_OK;
 }
 
-/** Gives every mode its amplitude and leaves its phase. A mode that is 0 gets the phase 0. Returns by how much that
- * changes the heights, over their rms. */
+/** Gives every mode its amplitude and keeps its phase (0 for a mode that is 0). Returns the rms change of the heights
+ * over their rms. */
 static double impose_amplitudes(struct modes *modes)
 {
     double points = (double)(modes->n * modes->n), changed = 0, all = 0;
@@ -341,11 +341,15 @@ static double impose_amplitudes(struct modes *modes)
     return sqrt(changed / all);
 }
 
-/** The places of the values in ascending order, to 2^-32 of their range, of equal ones in theirs: a radix sort of where
- * a value lies in it, with the place below. `order`: 2 count, the second half to work with. */
+/** Indices of the values in ascending order, to 2^-32 of their range, equal values in the order of their indices: a
+ * radix sort. `order`: 2 count, the second half is room. */
 static void rank(uint64_t *order, const double *values, size_t count)
 {
-    enum { DIGIT = 8, DIGITS = 4, SHIFT = 32 }; /* bits of a digit; an even number of them, above a place's bits */
+    enum {
+        DIGIT = 8,
+        DIGITS = 4,
+        SHIFT = 32
+    }; /* bits of a digit; an even number of digits, above the bits of an index */
     uint64_t *from = order, *to = order + count, place = ((uint64_t)1 << SHIFT) - 1;
     size_t start[DIGITS][1 << DIGIT] = {{0}};
     double low = values[0], high = values[0];
@@ -375,8 +379,7 @@ static void rank(uint64_t *order, const double *values, size_t count)
         order[k] &= place;
 }
 
-/** The rounds proper, until the last leaves the heights as they are to 3e-3 of their rms; values: n² of room, order:
- * 2 n². */
+/** Rounds until one changes the heights by less than 3e-3 of their rms; values: n² of room, order: 2 n². */
 static void adjust(struct modes *modes, const double *heights, double *values, uint64_t *order, uint64_t seed)
 {
     enum { ROUNDS = 60 };

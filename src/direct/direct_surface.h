@@ -16,7 +16,7 @@
 /** Variance [m²] of a complex mode with r > 0 waves in the cell. */
 typedef double direct_variance(double r, const void *context);
 
-/** Delta = alpha lambda^gamma from L/roll_off, above which amplitudes stay, down to lambda_s, below which they fall as
+/** Delta = alpha lambda^gamma between lambda_s and L/roll_off, constant for longer waves; shorter waves fall as
  * exp(-ln2 ((lambda_s/lambda)² - 1)), the Gaussian filter of ISO 16610-21 relative to its value at lambda_s. */
 struct direct_law {
     double alpha; /* m^(1-gamma) */
@@ -26,16 +26,16 @@ struct direct_law {
     double roll_off; /* waves in L; 1 or less: none */
 };
 
-/** Harmonics that a law has before its cut-off leaves less than 2e-3 of an amplitude: 3.2 L/lambda_s. */
+/** Number of harmonics up to where the cut-off leaves less than 2e-3 of the amplitude: 3.2 L/lambda_s. */
 size_t direct_law_harmonics(const struct direct_law *law);
 /** Delta_m [m], m = 1, 2, ... */
 double direct_law_amplitude(const struct direct_law *law, size_t m);
 
-/** The law with the cut-off lambda_s whose rows have moments m_k = sum (2 pi m/L)^k Delta_m²/2, k = 0, 1, 2, which a
- * fit through a measured spectrum's logarithms has not (the mean logarithm of a Gaussian surface's power is exp(-0.577)
- * of its mean power). m0 rules separation, m2 the area at low load, m1 (elastic energy) the gap near closing. For a
- * roll-off gamma, within -2 ... 8, follows from m2/m0, and the roll-off, within 1 ... L/(1.5 lambda_s), from m1; where
- * none has it, the nearest one. Error: STATUS_MODEL: no such law. */
+/** The law with the cut-off lambda_s whose rows have the moments m_k = sum (2 pi m/L)^k Delta_m²/2, k = 0, 1, 2. A fit
+ * through the logarithms of a measured spectrum does not have them (the mean logarithm of the power of a Gaussian
+ * surface is that of exp(-0.577) of its mean power). m0 governs separation, m2 the area at low load, m1 (elastic
+ * energy) the gap near closing. Gamma, within -2 ... 8, follows from m2/m0 for each roll-off, the roll-off, within 1
+ * ... L/(1.5 lambda_s), from m1; if none fits, the nearest. Error: STATUS_MODEL: no such law. */
 MUST_CHECK enum status_code direct_law_match(struct direct_law *out, const double moments[3], double length_m,
                                              double lambda_s_m, struct status *status);
 
@@ -58,11 +58,11 @@ void direct_spectrum_free(struct direct_spectrum *spectrum);
 /** v(r) of a struct direct_spectrum: a direct_variance. */
 double direct_spectrum_variance(double r, const void *spectrum);
 
-/** What surfaces are made of. */
+/** Recipe of a surface. */
 struct direct_recipe {
     direct_variance *variance;
     const void *context;   /* its */
-    const double *given_m; /* heights whose distribution they take; NULL: Gaussian */
+    const double *given_m; /* heights whose distribution the surface takes; NULL: Gaussian */
     size_t given_count;
 };
 
@@ -78,7 +78,7 @@ struct direct_recipe {
 MUST_CHECK enum status_code direct_surface_make(double *height_m, size_t n, const struct direct_recipe *recipe,
                                                 uint64_t seed, struct status *status);
 
-/** A number of 0 ... 1 (without 1) that the seed and the index alone decide, the same everywhere. */
+/** A number in 0 ... 1 (without 1) that depends on seed and index alone, on every machine. */
 double direct_random(uint64_t seed, uint64_t index);
 
 /** The same surface on a grid of `times` n points a side (n even): `fine_m` interpolates the heights by their Fourier

@@ -65,14 +65,14 @@ struct gap {
     double mean, jump;
 };
 
-/** Over t - Y. */
+/** Integrand over t - Y. */
 static double over_deviation(double deviation, void *context)
 {
     const struct gap *gap = context;
     return exp(-deviation * deviation / 2) / (gap->mean + deviation + gap->jump);
 }
 
-/** Over ln(t + M): the pole at t = -M, however near, does no harm. */
+/** Integrand over ln(t + M), in which the pole at t = -M, however near, does no harm. */
 static double over_logarithm(double w, void *context)
 {
     const struct gap *gap = context;
@@ -83,7 +83,7 @@ static double over_logarithm(double w, void *context)
 double gas_gap_integral(double separation_over_sigma, double jump_over_sigma, double tolerance)
 {
     struct gap gap = {separation_over_sigma, jump_over_sigma};
-    double reach = sqrt(2 * (8 - log(fmax(tolerance, 1e-15)))); /* beyond, exp(-t²/2) counts no more */
+    double reach = sqrt(2 * (8 - log(fmax(tolerance, 1e-15)))); /* beyond it exp(-t²/2) is negligible */
     double lowest = fmax(0, gap.mean - reach) + gap.jump, base = gap.mean + gap.jump;
     double whole = lowest > 1 ? integral(over_deviation, &gap, -fmin(gap.mean, reach), reach, tolerance)
                               : integral(over_logarithm, &gap, log(lowest), log(base + reach), tolerance);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* How hot a contact gets that carries a current (equations: heating). Kohlrausch 1900; Holm 1967, Electric Contacts,
- * 4th edition. */
+/* How hot a contact gets under current (equations: heating). Kohlrausch 1900; Holm 1967, Electric Contacts, 4th
+ * edition. */
 #ifndef JOINT_HEATING_H
 #define JOINT_HEATING_H
 
@@ -9,13 +9,13 @@
 /** L = pi² k_B²/(3 e²) = 2.4430e-8 V²/K² (Wiedemann, Franz and Lorenz). */
 double heating_lorenz_number(void);
 
-/** T_max - T_0 [K] of a contact between bodies at T_0 that drops V: T_max² = T_0² + V²/(4L), whatever its shape. */
+/** T_max - T_0 [K] of a contact of any shape with a voltage V between bodies at T_0: T_max² = T_0² + V²/(4L). */
 double heating_rise(double voltage_V, double body_temperature_K);
 
 /** The voltage at which T_max is `temperature_K` >= body_temperature_K. */
 double heating_voltage(double temperature_K, double body_temperature_K);
 
-/** What a metal stands. */
+/** Limits of a metal. */
 struct heating_metal {
     const char *name;           /* as in the material table */
     double softening_voltage_V; /* measured (Holm's table); NaN: not in it */

@@ -11,7 +11,7 @@
 /** A/A_n up to which spots count as independent, and so have a radius and a plating factor. */
 static const double joint_independent_area = 0.1;
 
-/** The effects whose quantities are made of spots. */
+/** The effects whose quantities depend on spots. */
 static const unsigned on_spots = EFFECT_BIT(EFFECT_FILM) | EFFECT_BIT(EFFECT_PLATING) | EFFECT_BIT(EFFECT_HEATING);
 
 #define HARTING "resistivity: Harting catalogue 2013, table of specific resistances; "
@@ -71,7 +71,7 @@ static double finite_or_nan(double value)
     return isfinite(value) ? value : NAN;
 }
 
-/** What a quantity is made of. */
+/** What a quantity is derived from. */
 struct making {
     const double *value;
     struct contact_spots spots;
@@ -79,20 +79,21 @@ struct making {
     const struct joint_shape *shape; /* of the model; NULL: none */
 };
 
-/* What makes each quantity of those before it, as in quantity_rows, and of the spots. */
+/* Each make_...() derives a quantity from those before it in quantity_rows, and from the spots. */
 
-/** h_g [W/m²/K]; NaN without a separation, or where a medium's gap closes. */
+/** h_g [W/m²/K]; NaN without a separation, or where the gap of a medium closes. */
 static double make_gap(const struct making *of)
 {
     const struct joint *joint = of->task->joint;
-    double separation_m = of->value[QUANTITY_SEPARATION], open = fmax(1 - of->value[QUANTITY_AREA], 0);
+    double separation_m = of->value[QUANTITY_SEPARATION];
     if (isnan(separation_m))
         return NAN;
     if (joint->fill == JOINT_VACUUM)
         return 0;
-    separation_m = fmax(separation_m, joint->fill == JOINT_MEDIUM ? joint->bond_line_m : separation_m);
-    if (joint->fill == JOINT_MEDIUM)
-        return separation_m > 0 ? open * joint->conductivity_W_per_mK / separation_m : NAN;
+    if (joint->fill == JOINT_MEDIUM) {
+        double open = fmax(1 - of->value[QUANTITY_AREA], 0), gap_m = fmax(separation_m, joint->bond_line_m);
+        return gap_m > 0 ? open * joint->conductivity_W_per_mK / gap_m : NAN;
+    }
     double jump_m = gas_jump_length(joint->gas, joint->temperature_K, joint->pressure_Pa, joint->accommodation,
                                     joint->accommodation);
     return gas_conductance(gas_conductivity(joint->gas, joint->temperature_K), of->task->sigma_m, separation_m, jump_m,
@@ -123,8 +124,8 @@ struct contact_spots joint_equal_spots(double area_ratio, double ecr_ohm_m2, dou
     return (struct contact_spots){density_per_m2, radius_m};
 }
 
-/** Of a spot of radius a (rho_p F_1 + rho_2)/(rho_1 + rho_2), F_1 the plating_factor() of the plated side; with both
- * plated (rho_p F_1 + rho_p F_2)/(rho_1 + rho_2). */
+/** Resistance of a plated spot over that of a bare one: (rho_p F_1 + rho_2)/(rho_1 + rho_2), F_1 the plating_factor()
+ * of the plated side; with both plated (rho_p F_1 + rho_p F_2)/(rho_1 + rho_2). */
 static double make_plating(const struct making *of)
 {
     const struct joint *joint = of->task->joint;
@@ -139,24 +140,23 @@ static double make_plating(const struct making *of)
     return plated / (bare[0] + bare[1]);
 }
 
-double joint_film(double contact_ohm_m2, double film_ohm_m2, double area_ratio)
-{
-    return contact_ohm_m2 + film_ohm_m2 / area_ratio;
-}
-
 double joint_temperature(const struct joint_task *task, double voltage_V)
 {
     double ambient_K = task->joint->temperature_K;
     return finite_or_nan(ambient_K + heating_rise(voltage_V, ambient_K));
 }
 
+/** R A_n [ohm m²], with plating; with a film of resistance s_f in series each of equal spots has rho/(2a) + s_f/(pi
+ * a²), together R_c A_n + s_f/(A/A_n) (Holm 1967, Electric Contacts, 4th edition). The resistance of a film is not
+ * predicted: that of tunnelling spans ten decades within 1.5 nm. */
 static double make_ecr(const struct making *of)
 {
     double ecr_ohm_m2 = of->value[QUANTITY_ECR];
-    if (runs(of->task, EFFECT_PLATING) && ecr_ohm_m2 > 0) /* of full contact nothing is left to change */
+    if (runs(of->task, EFFECT_PLATING) && ecr_ohm_m2 > 0) /* 0: full contact */
         ecr_ohm_m2 *= of->value[QUANTITY_PLATING_FACTOR];
-    return runs(of->task, EFFECT_FILM) ? joint_film(ecr_ohm_m2, of->task->joint->film_ohm_m2, of->value[QUANTITY_AREA])
-                                       : ecr_ohm_m2;
+    if (runs(of->task, EFFECT_FILM))
+        ecr_ohm_m2 += of->task->joint->film_ohm_m2 / of->value[QUANTITY_AREA];
+    return ecr_ohm_m2;
 }
 
 void joint_shape_free(struct joint_shape *shape)
@@ -183,8 +183,8 @@ double joint_shape_change(const struct joint_shape *shape, double load, int way,
     return 1 + exp(shape_curve_value(&slope, &shape->spots[way], log(load))) * (factor - 1);
 }
 
-/** With the shape, of a contact that has `own` where the parts are flat: as the curve that was solved with it, whose
- * spots, not the way to them, are what is off where `own` is. */
+/** Resistance with the shape, of a contact that has `own` where the parts are flat: that of the curve solved with the
+ * shape, the part of its spots scaled as `own` differs from the flat curve. */
 static double shaped(const struct making *of, int way, double own)
 {
     const struct joint_shape *shape = of->shape;
@@ -252,8 +252,7 @@ void joint_hold(struct contact_point *points, size_t count, const struct joint_t
         const struct contact_point own = points[i], *before = i > 0 ? &points[i - 1] : NULL;
         const double gap_m = task->joint->bond_line_m, *end = own.value;
         double *value = points[i].value;
-        bool goes_on =
-            before && isnan(end[QUANTITY_SEPARATION]) && joint_is_held(before, task); /* a model's gap ends */
+        bool goes_on = before && isnan(end[QUANTITY_SEPARATION]) && joint_is_held(before, task); /* no gap known */
         if (!(end[QUANTITY_SEPARATION] < gap_m) && !goes_on)
             continue;
         points[i] = quantity_nothing();
@@ -265,7 +264,7 @@ void joint_hold(struct contact_point *points, size_t count, const struct joint_t
             double part = (first[QUANTITY_SEPARATION] - gap_m) / fall_m;
             points[i].beyond_fit = before->beyond_fit;
             points[i].radius_clamped = before->radius_clamped;
-            for (int q = QUANTITY_AREA; q <= QUANTITY_TCR_SCALE_DEPENDENT; q++) /* a share of 0: as before */
+            for (int q = QUANTITY_AREA; q <= QUANTITY_TCR_SCALE_DEPENDENT; q++) /* part 0: as at the load before */
                 value[q] = !(part > 0) ? first[q] : isnan(value[q]) ? NAN : pow(first[q], 1 - part) * pow(end[q], part);
         }
         value[QUANTITY_SEPARATION] = gap_m;
@@ -316,8 +315,7 @@ void joint_model_sd(double out[QUANTITY_COUNT], const struct contact_point *poin
                          (QUANTITY_RESISTANCES & QUANTITY_BIT(q))
                      ? model_surface_sd(row, (enum quantity)q, reach)
                      : 0;
-        if (q == QUANTITY_AREA && row->plastic &&
-            row->uses_strip) { /* what exp(sd) times the elastic area makes of it */
+        if (q == QUANTITY_AREA && row->plastic && row->uses_strip) { /* with exp(sd) times the elastic area */
             double share = model_elastic_share(row, point, pressure_Pa / task->pair->hardness_Pa),
                    elastic_sd = model_surface_sd(row->elastic, QUANTITY_AREA, reach);
             out[q] = hypot(bearing_area_sd, log1p(share * expm1(4 * elastic_sd)) / 4);
@@ -370,7 +368,7 @@ enum status_code joint_curve(struct model_curve *curve, const struct model_row *
         for (size_t i = 0; i < curve->count; i++)
             if (i >= task->load_count || curve->points[i].value[QUANTITY_LOAD] != task->loads[i]) /* full contact */
                 spots[i] = (struct contact_spots){NAN, NAN};
-            else if (joint_is_held(&curve->points[i], joint)) /* the model's would be those of the whole load */
+            else if (joint_is_held(&curve->points[i], joint)) /* the metal does not carry the whole load */
                 spots[i] = joint_equal_spots(curve->points[i].value[QUANTITY_AREA],
                                              curve->points[i].value[QUANTITY_ECR], joint->pair->resistivity_ohm_m);
     }

@@ -4,8 +4,8 @@
 #include <math.h>
 #include <stdbool.h>
 
-/** The n-th term without its sign: |Q|^n [atan(1/u) - (u/2) ln(1 + 1/u²)], u = nT: the moment of a positive measure in
- * n, since the bracket is int_0^inf exp(-2u x) sin²(x)/x² dx. */
+/** |Q|^n [atan(1/u) - (u/2) ln(1 + 1/u²)], u = nT. The bracket is int_0^inf exp(-2u x) sin²(x)/x² dx, so that these are
+ * moments of a positive measure. */
 static double term(double n, double thickness_over_radius, double magnitude_log)
 {
     double u = n * thickness_over_radius;
@@ -26,9 +26,8 @@ static double condensed(double k, double thickness_over_radius, double magnitude
     }
 }
 
-/** sum_{n>=1} |Q|^n [...], or with `alternating` signs (less first), as an alternating sum by algorithm 1 of Cohen,
- * Rodriguez Villegas and Zagier (2000, Experimental Mathematics 9, 3), whose relative error for moments of a positive
- * measure is 2/5.8^TERMS. */
+/** sum_{n>=1} |Q|^n [...], with one sign or `alternating` (the first less), by algorithm 1 of Cohen, Rodriguez Villegas
+ * and Zagier (2000, Experimental Mathematics 9, 3), whose relative error is 2/5.8^TERMS here. */
 static double series(double thickness_over_radius, double magnitude_log, bool alternating)
 {
     enum { TERMS = 24 };

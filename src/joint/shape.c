@@ -10,13 +10,13 @@
 enum { STEPS_MOST = 200, STEPS_WHOLE = 25, ITERATIONS_MOST = 5000, FIELDS = 15 };
 const double shape_largest_area = 0.97, shape_yielding_most = 0.05;
 static const double precision = 1e-11;     /* of conjugate gradients */
-static const double converged = 1e-9;      /* change of a pressure over the mean one */
-static const double step_most = 2;         /* rise of ln p(1 - p/H)^-1 below the hardness, fall at it */
+static const double converged = 1e-9;      /* change of a pressure over the mean pressure */
+static const double step_most = 2;         /* largest rise of ln(p/(1 - p/H)) below the hardness, largest fall above */
 static const double share_least = 1. / 16; /* of a step */
-static const double negligible = 1e-6;     /* over the mean one */
-static const double carried = 0.9;         /* share of the load that the area carries which is said to carry it */
-static const double yields = 0.999;        /* of the hardness */
-static const double kept_slope = 1e-3;     /* over the mean slope of a gap, where it falls no more */
+static const double negligible = 1e-6;     /* pressure over the mean pressure */
+static const double carried = 0.9;         /* share of the load on the area that counts as carrying it */
+static const double yields = 0.999;        /* pressure over the hardness */
+static const double kept_slope = 1e-3;     /* least slope of a gap over its mean slope */
 
 static enum status_code curve_make(struct shape_curve *out, const double *pressure_Pa, const double *value,
                                    size_t count, double most_Pa, struct status *status)
@@ -106,7 +106,7 @@ static void make_plans(void *context)
     shape->back = fftw_plan_dft_2d(ny, nx, shape->pair, shape->pair, FFTW_BACKWARD, FFTW_ESTIMATE);
 }
 
-/** Where the cosine transform of n points has the k-th: those of even place, then the odd ones backwards (Makhoul
+/** The point that a cosine transform of n points has in place k: the even ones, then the odd ones backwards (Makhoul
  * 1980, doi:10.1109/TASSP.1980.1163351). */
 static size_t place_of(size_t k, size_t n)
 {
@@ -159,8 +159,8 @@ static void turn(fftw_complex out, const double a[2], const double b[2], double 
     out[1] = c * im + s * re;
 }
 
-/** Of the values at a wave and at those of n - k along x, y and both the same times the tables' shares of the cosines
- * that they hold. */
+/** Multiplies the cosines held by a mode and by its mirror modes (n - k along x, along y and along both) by their
+ * factors, in place. */
 static void apply_to_four(fftw_complex *const at[4], const double share[4], const double turns[4])
 {
     static const double zero[2] = {0};
@@ -185,8 +185,8 @@ static void apply_to_four(fftw_complex *const at[4], const double share[4], cons
     turn(*at[3], across, back, -1, turns[0], turns[1]);
 }
 
-/** Two fields become S of them, times what the table has of their cosines: one complex transform of both (the second
- * NULL: there is none). */
+/** Replaces one or two fields by S of them, with the factors of the table: one complex transform for both (second NULL:
+ * only one). */
 static void apply(struct shape *shape, double *first, double *second)
 {
     const size_t nx = shape->nx, ny = shape->ny;
@@ -213,7 +213,7 @@ static void apply(struct shape *shape, double *first, double *second)
     }
 }
 
-/** Sum of resistivity tanh(|q| t)/|q| over the two bodies, with the 1/(4 n_x n_y) of the cosine transforms. */
+/** Sum of resistivity tanh(|q| t)/|q| over the two bodies, over the 4 n_x n_y of the cosine transforms. */
 static void fill_table(struct shape *shape, const struct shape_body bodies[2])
 {
     shape->table[0] = 0;
@@ -234,9 +234,9 @@ static double dot(const double *a, const double *b, size_t count)
     return sum;
 }
 
-/** Solves (1 + D S D) y = b by conjugate gradients, until of the residual no more than the share `goal` is left; the
- * matrix is symmetric and has no eigenvalue below 1. For one or two b at a time. `work`: for each three fields, of
- * which the first is b and is used up. */
+/** Solves (1 + D S D) y = b for one or two b by conjugate gradients until the residual has fallen to the share `goal`;
+ * the matrix is symmetric and has no eigenvalue below 1. `work`: for each b three fields, of which the first is b and
+ * is overwritten. */
 static enum status_code solve(double *const y[], double *const work[], int count, struct shape *shape,
                               const double *scale, double goal, struct status *status)
 {
@@ -248,17 +248,17 @@ static enum status_code solve(double *const y[], double *const work[], int count
         memset(y[b], 0, n * sizeof *y[b]);
         memcpy(work[b] + n, work[b], n * sizeof *work[b]);
     }
-    for (size_t i = 0; square[0] > least[0] || (count > 1 && square[1] > least[1]); i++, shape->iterations++) {
+    for (size_t i = 0; square[0] > least[0] || (count > 1 && square[1] > least[1]); i++) {
         if (i == ITERATIONS_MOST || !isfinite(square[0] + square[1]))
             return status_fail(status, STATUS_MODEL, "its conjugate gradients do not converge");
-        for (int b = 0; b < count; b++) { /* of one size, or the larger one's rounding is the other's error */
+        for (int b = 0; b < count; b++) { /* scaled to one size: rounding of a larger one would disturb the other */
             double size = square[b] > least[b] ? 1 / sqrt(square[b]) : 0;
             for (size_t k = 0; k < n; k++)
                 work[b][2 * n + k] = scale[k] * work[b][n + k] * size;
         }
         apply(shape, work[0] + 2 * n, count > 1 ? work[1] + 2 * n : NULL);
         for (int b = 0; b < count; b++) {
-            if (!(square[b] > least[b])) /* the other goes on */
+            if (!(square[b] > least[b])) /* only the other goes on */
                 continue;
             double *residual = work[b], *direction = residual + n, *field = direction + n, before = square[b];
             double curvature = 0, size = sqrt(before);
@@ -289,17 +289,17 @@ static void set_pressures(struct shape *shape, double ln_hardness)
     }
 }
 
-/** One step of Newton on z = ln(p/(1 - p/H)), which keeps 0 < p < H, with dp/dz = p (1 - p/H), U = -du/dz and D =
- * sqrt(dp/dz/U), S with its 2/E', of the residual r = -u + g0 + S[p]: (1 + D S D) y = D (d - r), Delta z = (d - r - S[D
- * y])/U, d such that the mean of p + dp/dz Delta z is the load's. `change`: the largest of a pressure over the mean
- * one; INFINITY: one was cut short; that of the step before says how exactly the systems are solved. `share` of the
- * step is done. */
+/** One step of Newton's method for z = ln(p/(1 - p/H)), which keeps 0 < p < H. With dp/dz = p (1 - p/H), U = -du/dz,
+ * D = sqrt(dp/dz/U), S including 2/E' and the residual r = -u + g0 + S[p]: (1 + D S D) y = D (d - r), Delta z =
+ * (d - r - S[D y])/U, d such that p + dp/dz Delta z has the mean pressure. Only the share `share` of the step is taken.
+ * `change`: largest change of a pressure over the mean pressure, INFINITY where a step was cut; the value passed in, of
+ * the step before, says how exactly to solve. */
 static enum status_code step(double *change, struct shape *shape, const double *gap_m, const struct shape_curve *gap,
                              double share, struct status *status)
 {
     const double mean_Pa = shape->mean_Pa, ln_hardness = log(gap->most_Pa);
     const double goal =
-        *change > 0.1 ? 1e-6 : fmax(1e-3 * *change, precision); /* a rough start goes round in circles */
+        *change > 0.1 ? 1e-6 : fmax(1e-3 * *change, precision); /* less exact first steps do not converge */
     size_t n = shape->cells;
     double *scale = shape->room, *slope = scale + n, *rest = slope + n, *const y[2] = {rest + n, rest + 2 * n};
     double *const work[2] = {rest + 3 * n, rest + 6 * n}, *field = work[0], *p = shape->pressure_Pa;
@@ -335,7 +335,7 @@ static enum status_code step(double *change, struct shape *shape, const double *
         double asked = level[k] + (approach - rest[k] - field[k]) / -slope[k];
         double now = level[k] > ln_hardness ? fmax(asked, fmin(level[k] - step_most, high))
                                             : fmin(asked, fmax(level[k] + step_most, low));
-        slope[k] = p[k]; /* as it was */
+        slope[k] = p[k]; /* the pressure before the step */
         *change = now != asked ? INFINITY : *change;
         level[k] += share * (now - level[k]);
     }
@@ -350,11 +350,10 @@ enum status_code shape_press(struct shape *shape, const double *gap_m, const str
 {
     const struct shape_body bodies[2] = {{2 / effective_modulus_Pa, INFINITY}, {0, INFINITY}};
     double change = INFINITY, last = INFINITY, share = 1;
-    shape->iterations = 0;
     if (!(mean_Pa > 0 && mean_Pa < gap->most_Pa))
         return status_fail(status, STATUS_MODEL, "its mean pressure is not below the hardness");
     fill_table(shape, bodies);
-    for (size_t k = 0; k < shape->cells; k++) /* from the last solution, which takes half the time */
+    for (size_t k = 0; k < shape->cells; k++) /* starting from the last solution halves the time */
         shape->level[k] = shape->mean_Pa > 0 ? shape->level[k] + log(mean_Pa / shape->mean_Pa)
                                              : log(mean_Pa / (1 - mean_Pa / gap->most_Pa));
     shape->mean_Pa = mean_Pa;
@@ -364,7 +363,7 @@ enum status_code shape_press(struct shape *shape, const double *gap_m, const str
             return status_fail(status, STATUS_MODEL, "its pressures do not converge");
         if (step(&change, shape, gap_m, gap, share, status) != STATUS_OK)
             return status->code;
-        if (shape->steps >= STEPS_WHOLE) /* it goes round a bend of the curve */
+        if (shape->steps >= STEPS_WHOLE) /* it circles a bend of the curve */
             share = change < last * (1 - share / 2) ? fmin(2 * share, 1) : fmax(share / 2, share_least);
         last = change;
     }
@@ -377,7 +376,6 @@ enum status_code shape_resistance(double *out, double *spots, struct shape *shap
 {
     size_t n = shape->cells;
     double *root = shape->room, *y = root + n, *work = y + n, unused;
-    shape->iterations = 0;
     fill_table(shape, bodies);
     for (size_t k = 0; k < n; k++)
         root[k] = work[k] = exp(shape_curve_value(&unused, conductance, shape->ln_pressure[k]) / 2);
@@ -390,18 +388,16 @@ enum status_code shape_resistance(double *out, double *spots, struct shape *shap
 
 struct shape_spread shape_spread(struct shape *shape, double hardness_Pa)
 {
-    size_t n = shape->cells, most = 0, carrying = 0;
-    double *sorted = shape->room, total = 0, at_most = 0, sum = 0;
+    size_t n = shape->cells, carrying = 0;
+    double *sorted = shape->room, total = 0, yielding = 0, sum = 0;
     memcpy(sorted, shape->pressure_Pa, n * sizeof *sorted);
     gsl_sort(sorted, 1, n);
-    for (size_t k = n; k-- > 0;)
+    for (size_t k = n; k-- > 0;) {
         total += sorted[k];
-    for (; most < n && sorted[n - 1 - most] >= yields * hardness_Pa; most++)
-        at_most += sorted[n - 1 - most];
+        yielding += sorted[k] >= yields * hardness_Pa ? sorted[k] : 0;
+    }
     for (; carrying < n && sum < carried * total; carrying++)
         sum += sorted[n - 1 - carrying];
-    return (struct shape_spread){.largest_Pa = sorted[n - 1],
-                                 .area = (double)carrying / (double)n,
-                                 .yielding = most,
-                                 .yielding_load = at_most / total};
+    return (struct shape_spread){
+        .largest_Pa = sorted[n - 1], .area = (double)carrying / (double)n, .yielding_load = yielding / total};
 }

@@ -4,8 +4,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { CELLS_LEAST = 64, CELLS_MOST = 128, PARTS = 4 }; /* a side; points a side of a cell that bolts are taken at */
-static const double cells_across = 4;                   /* a ring of pressure */
+enum { CELLS_LEAST = 64, CELLS_MOST = 128, PARTS = 4 }; /* cells a side; points a side of a cell, for bolts */
+static const double cells_across = 4;                   /* the ring of pressure of a bolt */
 
 void shape_field_free(struct shape_field *field)
 {
@@ -30,10 +30,10 @@ static enum status_code take_mean(struct shape_field *field)
 struct line {
     const double *at_m, *value;
     size_t count, step;
-    bool cells; /* each holds out to the middles between them; else straight lines go from one to the next */
+    bool cells; /* as shape_grid.cells */
 };
 
-/** At x, which lies in piece `piece` of the line: before its first border, or behind as many. */
+/** Value at x, which lies in piece `piece` of the line, after that many borders. */
 static double on_line(const struct line *line, size_t piece, double x_m)
 {
     const double *at_m = line->at_m, *value = line->value;
@@ -43,7 +43,7 @@ static double on_line(const struct line *line, size_t piece, double x_m)
     return value[line->step * (piece - 1)] * (1 - part) + value[line->step * piece] * part;
 }
 
-/** Means over `cells` equal parts of a side, `out_step` apart: exact, each piece having the value of its middle. */
+/** Means over `cells` equal parts of a side, `out_step` apart: exact, as each piece has the mean of its middle. */
 static void take_means(double *out, size_t out_step, size_t cells, double side_m, const struct line *line)
 {
     const size_t borders = line->cells ? line->count - 1 : line->count;
@@ -89,7 +89,7 @@ double shape_bolt_pressure(const struct shape_bolts *bolts, double r_m)
     return r_m < b || r_m > c ? 0 : most * pow(c - r_m, 3) * (3 * r_m + c - 4 * b);
 }
 
-/** Adds one bolt to the field, in units of `cell_m2`. */
+/** Adds one bolt to the field. False: it presses on no cell. */
 static bool add_bolt(struct shape_field *out, const struct shape_bolts *bolts, size_t bolt, const double side_m[2],
                      double *room)
 {

@@ -76,7 +76,7 @@ enum status_code areal_parameters_of(struct areal_parameters *out, const struct 
     return status->code;
 }
 
-/** Error: STATUS_SCAN: a flat map, but for what taking the plane out rounds. */
+/** Error: STATUS_SCAN: a map that is flat but for rounding. */
 static enum status_code check_heights(const struct areal *areal, const struct scan *scan, struct status *status)
 {
     double most = -INFINITY, least = INFINITY;
@@ -91,7 +91,7 @@ static enum status_code check_heights(const struct areal *areal, const struct sc
     return STATUS_OK;
 }
 
-/** Mean over rows of something that not every row has. */
+/** Mean over the rows that have a value. */
 struct row_mean {
     double value;
     size_t count;
@@ -103,11 +103,11 @@ static void join(struct row_mean *mean, double value)
         mean->value += (value - mean->value) / (double)++mean->count;
 }
 
-/** Figures of the rows so far, and room for the one that is being looked at. */
+/** Means over the rows so far, and room for one row. */
 struct rows {
     struct row_mean m0, ra, m2, m4;
     double pv_m;
-    double *x_m, *z_m; /* nx each: the points that are there */
+    double *x_m, *z_m; /* nx each: the points that are not missing */
 };
 
 /** Adds row `y` over its own least-squares line. */
@@ -126,7 +126,7 @@ static enum status_code add_row(struct rows *rows, const struct scan *scan, size
         return STATUS_OK;
     if (level_remove_at(&line, z_m, x_m, count, LEVEL_LINE, status) != STATUS_OK)
         return status->code;
-    for (size_t i = scan->nx; i-- > 0;) /* back to their places, from the last */
+    for (size_t i = scan->nx; i-- > 0;) /* back to their places, last first */
         z_m[i] = isnan(row_m[i]) ? NAN : z_m[--count];
     const struct roughness row = roughness_of_heights(z_m, scan->nx, scan->dx_m);
     join(&rows->m0, row.m0_m2);

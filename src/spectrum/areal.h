@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Figures of an areal map: heights over its plane, and its rows as profiles. */
+/* Parameters of an areal map: of its heights over their plane, and of its rows as profiles. */
 #ifndef SPECTRUM_AREAL_H
 #define SPECTRUM_AREAL_H
 
@@ -8,11 +8,11 @@
 #include "spectrum/roughness.h"
 #include "spectrum/spectrum.h"
 
-/** ISO 25178-2 of the heights over their least-squares plane, each a mean over the points that are there. */
+/** ISO 25178-2, heights over their least-squares plane; means over the points that are not missing. */
 struct areal_parameters {
     double sq_m, sa_m, sz_m; /* root mean square, mean absolute, highest minus lowest */
     double ssk, sku;         /* mean third and fourth power over that of Sq: 0 and 3 of Gaussian heights */
-    double sdq;              /* root mean square gradient, by central differences, as m2 of the rows is */
+    double sdq;              /* root mean square gradient by central differences, like m2 of the rows */
 };
 
 struct areal {
@@ -23,14 +23,13 @@ struct areal {
     size_t spectrum_rows;         /* rows in it: not flat, at most a tenth missing (ends cut off, gaps bridged) */
 };
 
-/** Missing points are left out of every figure; a slope or curvature counts where all its points are there. Owned:
- * areal_free(), whatever comes back. Errors: STATUS_SCAN: too few points, a flat map; STATUS_MEMORY. */
+/** Missing points are left out; a slope or curvature counts where none of its points is missing. Owned: areal_free(),
+ * also after an error. Errors: STATUS_SCAN: too few points, a flat map; STATUS_MEMORY. */
 MUST_CHECK enum status_code areal_compute(struct areal *out, const struct scan *scan, struct status *status);
-/** The heights over the least-squares plane, in place of those of the scan: height_m (nx*ny, row after row, NaN where
- * missing). Error: STATUS_SCAN: too few points for a plane. */
+/** Heights over the least-squares plane: height_m (nx*ny, row after row, NaN where missing). Error: STATUS_SCAN: too
+ * few points for a plane. */
 MUST_CHECK enum status_code areal_flatten(double *height_m, const struct scan *scan, struct status *status);
-
-/** Error: the same; STATUS_MEMORY. */
+/** Errors: the same; STATUS_MEMORY. */
 MUST_CHECK enum status_code areal_parameters_of(struct areal_parameters *out, const struct scan *scan,
                                                 struct status *status);
 void areal_free(struct areal *areal);

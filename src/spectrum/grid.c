@@ -12,7 +12,7 @@ enum status_code grid_spectrum(struct spectrum *out, const struct spectrum *in, 
     if (!out->amplitude_m)
         return status_memory(status);
     for (size_t i = 0; i < in->count; i++) {
-        /* band of harmonic i + 1 in units of the new grid's step; the Nyquist harmonic has only its lower half */
+        /* band of harmonic i + 1 in steps of the new grid; the Nyquist harmonic has only its lower half */
         double scale = length_m / in->length_m, low = ((double)i + 0.5) * scale, high = ((double)i + 1.5) * scale;
         if (in->has_nyquist && i + 1 == in->count)
             high = ((double)i + 1) * scale;
@@ -42,8 +42,15 @@ enum status_code grid_add(struct spectrum *sum, const struct spectrum *other, st
     return STATUS_OK;
 }
 
-/** One of the two ways to average spectra of the same harmonics. */
+/** A mean over spectra of the same harmonics: spectrum_average() or that of logarithms. */
 typedef void average_of(struct spectrum *mean, const struct spectrum *other, size_t so_far);
+
+static void average_logs(struct spectrum *mean, const struct spectrum *other, size_t so_far)
+{
+    for (size_t i = 0; i < mean->count; i++)
+        if (mean->amplitude_m[i] > 0)
+            mean->amplitude_m[i] *= pow(other->amplitude_m[i] / mean->amplitude_m[i], 1 / (double)(so_far + 1));
+}
 
 static enum status_code average(struct spectrum *mean, const struct spectrum *other, size_t so_far, average_of *take,
                                 struct status *status)
@@ -76,5 +83,5 @@ enum status_code grid_average(struct spectrum *mean, const struct spectrum *othe
 enum status_code grid_average_logs(struct spectrum *mean, const struct spectrum *other, size_t so_far,
                                    struct status *status)
 {
-    return average(mean, other, so_far, spectrum_average_logs, status);
+    return average(mean, other, so_far, average_logs, status);
 }

@@ -17,7 +17,7 @@ static long bin_number(size_t n)
     return (long)floor(LOG_BIN_PER_DECADE * log10((double)n / MULTITAPER_FIRST) + 1e-9);
 }
 
-/** Last harmonic of the bin that begins at `first`: where the next one begins is known within a harmonic or two. */
+/** Last harmonic of the bin that begins at `first`: the estimate is too high by one or two. */
 static size_t bin_last(size_t first, size_t count, const size_t split[2])
 {
     long number = bin_number(first);

@@ -77,7 +77,7 @@ enum status_code multitaper_square(double *square_m2, const double *height_m, si
 
 double multitaper_correlation(size_t apart)
 {
-    /* the closed form above for K = 5, of which test_multitaper makes them again; the next is 9e-5 */
+    /* the formula for K = 5, which test_multitaper evaluates; the next is 9e-5 */
     static const double correlation[MULTITAPER_CORRELATED + 1] = {
         1,
         0.8238599422357856,

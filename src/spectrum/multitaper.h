@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Squared amplitudes of a record's harmonics by sine tapers of its first differences: the spectrum a power law is
- * fitted to. Whitening by differences and the tapers' small side lobes keep the steep long waves of an aperiodic record
- * out of the short ones; the mean of five tapers scatters less than one periodogram. */
+/* Squared amplitudes of harmonics by sine tapers of the first differences of a record: the spectrum to which a power
+ * law is fitted. Differences whiten it and the tapers have small side lobes, so that long waves of a record that does
+ * not close do not leak into short ones; the mean over five tapers scatters less than a periodogram. */
 #ifndef SPECTRUM_MULTITAPER_H
 #define SPECTRUM_MULTITAPER_H
 
@@ -10,9 +10,9 @@
 
 enum {
     MULTITAPER_TAPERS = 5,      /* K: each harmonic's square is a mean of K independent ones */
-    MULTITAPER_FIRST = 5,       /* the first harmonic free of the tapers' bias at the longest waves */
+    MULTITAPER_FIRST = 5,       /* first harmonic without the bias of the tapers at the longest waves */
     MULTITAPER_CORRELATED = 8,  /* harmonics further apart than this are independent */
-    MULTITAPER_LEAST_POINTS = 3 /* of which one harmonic comes */
+    MULTITAPER_LEAST_POINTS = 3 /* which give one harmonic */
 };
 
 /** Harmonics below the Nyquist one: ceil(N/2) - 1. */
@@ -20,9 +20,9 @@ size_t multitaper_count(size_t points);
 
 /** square_m2[n-1] = Delta_n² = 4 S_n/(N 4 sin²(pi n/N)), n = 1 ... multitaper_count(points), with
  *  S_n = (1/K) sum_k |sum_t sqrt(2/N) sin(pi k t/N) d_t exp(-2 pi i n t/N)|², k = 1 ... K, t = 1 ... N-1,
- *  d_t = z_t - z_{t-1} less the mean of these differences: a line in the heights leaves nothing.
- * All tapers come from one transform of 2N points, as sin is a difference of two exponentials. Delta_n is an rms
- * amplitude: its square is the mean over records of the squared amplitude of harmonic n, f_n = n/(N h).
+ *  d_t = z_t - z_{t-1} minus the mean of these differences, so that a line in the heights does not matter.
+ * As sin is a difference of two exponentials, one transform of 2N points serves all tapers. Delta_n² is the mean over
+ * records of the squared amplitude of harmonic n, f_n = n/(N h).
  * Riedel & Sidorenko 1995, doi:10.1109/78.365298 (sine tapers); Percival & Walden 1993, section 6.5 (prewhitening).
  * points >= 3. Errors: STATUS_SCAN for a height that is not finite or too large to square; STATUS_MEMORY. */
 MUST_CHECK enum status_code multitaper_square(double *square_m2, const double *height_m, size_t points,

@@ -51,10 +51,10 @@ static void measure(double value[PARAMETERS_COUNT], const double *z, size_t poin
     value[DQ] = slope_7_point(z, points);
 }
 
-/** Crossings of the reference line on the way from one side's threshold to the other's. */
+/** Crossings of the reference line between one threshold and the other, in one direction. */
 struct crossings {
-    double first, last; /* of those on the way now, in points; NaN: none yet */
-    double begin, end;  /* of the ways done so far: the first and the last one */
+    double first, last; /* since the last threshold, in points; NaN: none yet */
+    double begin, end;  /* the first and the last that counted */
     size_t count;
 };
 
@@ -64,7 +64,7 @@ static void crossings_pass(struct crossings *crossings, double at)
     crossings->last = at;
 }
 
-/** The way is done: its crossing is halfway between what either direction would take. */
+/** The other threshold is reached: the crossing in the middle counts. */
 static void crossings_close(struct crossings *crossings)
 {
     double at = (crossings->first + crossings->last) / 2;
@@ -78,7 +78,7 @@ static double element_width(const double *z, size_t points, double p, double v)
 {
     double hill = element_threshold * p, dale = -element_threshold * v;
     struct crossings up = {NAN, NAN, 0, 0, 0}, down = up;
-    int side = 0; /* 1: last beyond the hills' threshold, -1: the dales' */
+    int side = 0; /* the threshold passed last: 1 of hills, -1 of dales */
     if (!(hill > 0 && dale < 0))
         return NAN;
     for (size_t i = 0; i < points; i++) {

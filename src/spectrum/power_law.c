@@ -7,22 +7,13 @@ const char *const power_law_method_names[POWER_LAW_METHOD_COUNT] = {"auto", "the
 
 static struct power_law no_law(const double band_m[2])
 {
-    return (struct power_law){.found = POWER_LAW_BAND_NONE,
-                              .alpha = NAN,
-                              .gamma = NAN,
-                              .gamma_error = NAN,
-                              .amplitude_m = NAN,
-                              .amplitude_error_decades = NAN,
-                              .wavelength_m = NAN,
-                              .psd_m3 = NAN,
-                              .misfit_decades = NAN,
-                              .band_m = {band_m[0], band_m[1]},
-                              .knee_m = NAN,
-                              .gamma_below = NAN,
-                              .gamma_above = NAN};
+    struct power_law law = {.found = POWER_LAW_BAND_NONE, .band_m = {band_m[0], band_m[1]}};
+    law.alpha = law.gamma = law.gamma_error = law.amplitude_m = law.amplitude_error_decades = NAN;
+    law.wavelength_m = law.psd_m3 = law.misfit_decades = law.knee_m = law.gamma_below = law.gamma_above = NAN;
+    return law;
 }
 
-/** Running sums of a straight-line fit y = intercept + slope x, about a fixed origin to keep digits. */
+/** Sums for a straight line y = intercept + slope x. */
 struct sums {
     double n, x, y, xx, xy, yy;
 };
@@ -69,7 +60,7 @@ static bool in_band(const struct spectrum *spectrum, size_t i, const double band
            wavelength_m <= band_m[1] * (1 + 1e-12);
 }
 
-/** Origin of the sums: x = log10(lambda/L), y = log10(Delta/1 um). */
+/** The sums are of x = log10(lambda/L) and y = log10(Delta/1 um), which keeps digits. */
 static double log_wavelength(size_t i)
 {
     return -log10((double)(i + 1));
@@ -80,8 +71,8 @@ static double log_amplitude(const struct spectrum *spectrum, size_t i)
     return log10(spectrum->amplitude_m[i] / 1e-6);
 }
 
-/** Looks for the wavelength at which two straight lines beat one by the Bayesian information criterion with a margin of
- * 10 ("very strong"), each over at least 8 harmonics and a factor of 2 in wavelength, with slopes 0.3 apart. */
+/** Looks for the wavelength at which two straight lines are better than one by 10 ("very strong") of the Bayesian
+ * information criterion, each over at least 8 harmonics and a factor of 2 in wavelength, with slopes 0.3 apart. */
 static void find_knee(struct power_law *law, const struct spectrum *spectrum, size_t first, size_t last,
                       const struct sums *all, double residual)
 {
@@ -104,7 +95,7 @@ static void find_knee(struct power_law *law, const struct spectrum *spectrum, si
             law->gamma_below = below.slope;
         }
     }
-    /* three more parameters; an exact law leaves nothing to gain */
+    /* three more parameters; 0: an exact law */
     double gain = residual > 0 ? all->n * log(residual / fmax(best, 1e-300)) - 3 * log(all->n) : 0;
     if (gain <= 10)
         law->knee_m = law->gamma_above = law->gamma_below = NAN;
@@ -150,8 +141,7 @@ struct power_law power_law_fit(const struct spectrum *spectrum, const double ban
     return law;
 }
 
-/** What standard errors grow by where neighbours' residuals are alike, as a window makes them: sqrt(1 + 2 r), r their
- * correlation. */
+/** Factor of standard errors where a window correlates neighbouring residuals: sqrt(1 + 2 r), r their correlation. */
 static double neighbours_factor(const struct spectrum *spectrum, const struct power_law *law)
 {
     double before = NAN, squares = 0, products = 0;
@@ -184,17 +174,19 @@ struct power_law power_law_of_band(const struct power_law_band *band, const stru
     struct power_law law = no_law(band->fit.band_m);
     if (band->law == POWER_LAW_BAND_SCATTERED)
         return scattered_law(spectrum, band->fit.band_m);
-    if (band->law == POWER_LAW_BAND_NONE || !isnormal(band->alpha)) /* a steep law through a record of 1e-20 m */
+    const struct power_law_band_fit *fit = &band->fit;
+    double alpha = pow(10, fit->log10_amplitude - fit->gamma * log10(fit->wavelength_m));
+    if (band->law == POWER_LAW_BAND_NONE || !isnormal(alpha)) /* a steep law through a record of 1e-20 m */
         return law;
     law.found = band->law;
-    law.alpha = band->alpha;
-    law.gamma = band->fit.gamma;
-    law.gamma_error = band->fit.gamma_s;
-    law.amplitude_m = band->amplitude_m;
-    law.amplitude_error_decades = band->fit.log10_amplitude_s;
-    law.wavelength_m = band->fit.wavelength_m;
+    law.alpha = alpha;
+    law.gamma = fit->gamma;
+    law.gamma_error = fit->gamma_s;
+    law.amplitude_m = pow(10, fit->log10_amplitude);
+    law.amplitude_error_decades = fit->log10_amplitude_s;
+    law.wavelength_m = fit->wavelength_m;
     law.psd_m3 = band->psd_m3;
-    law.misfit_decades = band->fit.misfit_decades;
+    law.misfit_decades = fit->misfit_decades;
     return law;
 }
 

@@ -14,26 +14,26 @@
 
 const char *const power_law_band_class_names[] = {"no power law found", "scattered", "narrow", "law"};
 
-static const double one_law_square = 0.05 * 0.05; /* decades²; one power law: long scans do not split on less */
-static const double piece_penalty = 4;            /* ln J each */
-/* below: plateau or noise; above: a filter's flank, 0.08 beyond 2.2, at which half of all laws are found higher */
+static const double one_law_square = 0.05 * 0.05; /* decades²: a smaller misfit does not divide one power law */
+static const double piece_penalty = 4;            /* times ln J for each piece */
+/* Below least_gamma: a plateau or noise. Above most_gamma: the flank of a filter. Half of all fits of a law of 2.2 come
+ * out above 2.2, so 0.08 is added. */
 static const double least_gamma = 0.5, most_gamma = 2.28;
-static const double steep_gamma = 1.75; /* above: longer waves leak into a record's first harmonics */
+static const double steep_gamma = 1.75; /* above it, waves longer than the record leak into the first harmonics */
 static const double least_width_decades = 0.5, law_width_decades = 1, most_misfit_decades = 0.1;
 static const double line_decades = 0.2, line_valley_decades = 0.3;
-static const double line_level = 0.02;      /* of files without lines, so many may have one */
-static const double line_side_level = 0.05; /* of bins beside a cut-off */
-static const double line_scatter = 2;       /* variance of log-normal amplitudes' bins over that of Gaussian heights' */
-static const double most_gamma_s = 0.35;    /* a narrow law of a larger one says less than a scattered line */
-static const double scattered_variance =
-    7.5; /* of bins of amplitudes that scatter by 0.4 decades, over Gaussian ones' */
+static const double line_level = 0.02;      /* share of files without lines in which one may be found */
+static const double line_side_level = 0.05; /* the same of the bins on one side only */
+static const double line_scatter = 2;       /* variance of a bin of log-normal amplitudes over that of a Gaussian one */
+static const double most_gamma_s = 0.35;    /* a narrow law with a larger error says less than a scattered line */
+static const double scattered_variance = 7.5; /* the same as line_scatter, amplitudes scattering by 0.4 decades */
 static const double knee_gamma_s = 0.04, knee_amplitude_s_decades = 0.02;
 enum { PIECE_BINS = 3, CANDIDATE_BINS = 4, KNEE_BINS = 2, LINE_RUN = 3 };
 
-/** Bins that take part, by their numbers, from long to short waves. */
+/** Numbers of the bins that take part, from long to short waves. */
 struct selection {
     const struct log_bin *all;
-    double scatter; /* variance of a bin over that of a Gaussian surface's */
+    double scatter; /* variance of a bin over that on a Gaussian surface */
     size_t count;
     size_t index[LOG_BIN_MOST];
 };
@@ -54,32 +54,36 @@ static struct selection part_of(const struct selection *selection, size_t first,
 struct line {
     double slope, x_mean, y_mean;
     double weight, x_spread;     /* sum w, sum w (x - x_mean)² */
-    double residual, derivative; /* sum w r²; its negative derivative by misfit² at a fixed line: sum w² r² */
+    double residual, derivative; /* sum w r²; sum w² r²: how fast it falls with misfit² while the line stays */
 };
+
+static double weight_of(const struct selection *selection, size_t i, double misfit_square)
+{
+    return 1 / (selection->scatter * bin_at(selection, i)->variance + misfit_square);
+}
 
 static struct line line_through(const struct selection *selection, size_t first, size_t last, double misfit_square)
 {
     struct line line = {0};
     double x = 0, y = 0, xy = 0;
     for (size_t i = first; i <= last; i++) {
-        const struct log_bin *bin = bin_at(selection, i);
-        double w = 1 / (selection->scatter * bin->variance + misfit_square);
+        double w = weight_of(selection, i, misfit_square);
         line.weight += w;
-        x += w * bin->x;
-        y += w * bin->y;
+        x += w * bin_at(selection, i)->x;
+        y += w * bin_at(selection, i)->y;
     }
     line.x_mean = x / line.weight;
     line.y_mean = y / line.weight;
     for (size_t i = first; i <= last; i++) {
         const struct log_bin *bin = bin_at(selection, i);
-        double w = 1 / (selection->scatter * bin->variance + misfit_square), dx = bin->x - line.x_mean;
+        double w = weight_of(selection, i, misfit_square), dx = bin->x - line.x_mean;
         line.x_spread += w * dx * dx;
         xy += w * dx * (bin->y - line.y_mean);
     }
     line.slope = xy / line.x_spread;
     for (size_t i = first; i <= last; i++) {
         const struct log_bin *bin = bin_at(selection, i);
-        double w = 1 / (selection->scatter * bin->variance + misfit_square);
+        double w = weight_of(selection, i, misfit_square);
         double r = bin->y - line.y_mean - line.slope * (bin->x - line.x_mean);
         line.residual += w * r * r;
         line.derivative += w * w * r * r;
@@ -87,20 +91,15 @@ static struct line line_through(const struct selection *selection, size_t first,
     return line;
 }
 
-/** tau² >= 0 at which sum w r² = n - 2. The sum is convex and falls with tau²: Newton's steps from 0 rise to it. */
+/** tau² >= 0 at which sum w r² = n - 2. The sum is convex and falls with tau², so Newton's steps from 0 only rise. */
 static double misfit_square_of(const struct selection *selection)
 {
     enum { STEPS = 100 };
-    double square = 0;
-    for (int i = 0; i < STEPS; i++) {
+    double square = 0, step = INFINITY;
+    for (int i = 0; i < STEPS && step > 1e-15 * square; i++) {
         struct line line = line_through(selection, 0, selection->count - 1, square);
-        double excess = line.residual - (double)(selection->count - 2);
-        if (excess <= 0)
-            break;
-        double step = excess / line.derivative;
+        step = fmax(0, (line.residual - (double)(selection->count - 2)) / line.derivative);
         square += step;
-        if (step <= 1e-15 * square)
-            break;
     }
     return square;
 }
@@ -127,9 +126,8 @@ static struct power_law_band_fit fit_of(const struct selection *selection, doubl
     double middle = (shortest + longest) / 2;
     double slope_factor[LOG_BIN_MOST], amplitude_factor[LOG_BIN_MOST], slope_square = 0, amplitude_square = 0;
     for (size_t i = 0; i < selection->count; i++) {
-        const struct log_bin *bin = bin_at(selection, i);
-        double w = 1 / (selection->scatter * bin->variance + misfit_square);
-        slope_factor[i] = w * (bin->x - line.x_mean) / line.x_spread;
+        double w = weight_of(selection, i, misfit_square);
+        slope_factor[i] = w * (bin_at(selection, i)->x - line.x_mean) / line.x_spread;
         amplitude_factor[i] = w / line.weight + slope_factor[i] * (middle - line.x_mean);
         slope_square += slope_factor[i] * slope_factor[i];
         amplitude_square += amplitude_factor[i] * amplitude_factor[i];
@@ -150,14 +148,30 @@ static struct power_law_band_fit fit_of(const struct selection *selection, doubl
     };
 }
 
+/** Bins first ... end - 1 of a selection. */
+struct span {
+    size_t first, end;
+};
+
 /** Straight pieces of a selection: piece k has bins first[k] ... first[k+1]-1. */
 struct pieces {
     size_t count;
     size_t first[POWER_LAW_BAND_PIECES + 1];
 };
 
-/** Tables of the dynamic programme: cost of one piece from bin i to j; least cost of k + 1 pieces up to bin j, and
- * where the last of these begins. */
+static struct span piece_at(const struct pieces *pieces, size_t k)
+{
+    return (struct span){pieces->first[k], pieces->first[k + 1]};
+}
+
+/** Slope of the line through bins first ... last. */
+static double slope_of(const struct selection *selection, size_t first, size_t last)
+{
+    return line_through(selection, first, last, one_law_square).slope;
+}
+
+/** Tables of dynamic programming: cost of one piece from bin i to j; least cost of k + 1 pieces up to bin j, and where
+ * the last of them begins. */
 struct programme {
     double piece[LOG_BIN_MOST][LOG_BIN_MOST];
     double least[POWER_LAW_BAND_PIECES][LOG_BIN_MOST];
@@ -207,7 +221,7 @@ static enum status_code divide(struct pieces *pieces, const struct selection *se
     return STATUS_OK;
 }
 
-/** May bin j be a line: does it stand above its neighbours' middle, as the last bin before a cut-off does too? */
+/** Does bin j stand above the middle of its neighbours? So does a line, and so does the last bin before a cut-off. */
 static bool stands_out(const struct power_law_band *band, size_t j, double z)
 {
     double between[3];
@@ -222,8 +236,8 @@ static bool stands_out(const struct power_law_band *band, size_t j, double z)
     return band->bin[j].y - gsl_stats_median_from_sorted_data(between, 1, count) > threshold;
 }
 
-/** Marks the runs of bins that are `out` of which one is a line, but for longer runs, which are knees. The tapers carry
- * a line into the bins beside it. */
+/** Marks the runs of bins that stand `out` and hold a line, and the bin on either side, into which the tapers carry it.
+ * Longer runs are knees. */
 static void mark_lines(struct power_law_band *band, const bool out[LOG_BIN_MOST], const bool line[LOG_BIN_MOST])
 {
     for (size_t j = 0; j < band->bins; j++)
@@ -249,64 +263,61 @@ static struct selection bins_outside(const struct power_law_band *band)
     return selection;
 }
 
-/** Does the highest harmonic of a bin stand above the straight line through others, first ... end - 1, by so much that
- * chance lets one do so at `level`? The error is that of a harmonic, of the line, and what is called one law. Of too
- * few for a piece, and of what is steeper than any law, a cut-off's flank or another line's, the mean is taken. */
-static bool stands_above(const struct selection *selection, size_t first, size_t end, const struct log_bin *bin,
-                         double scans, double level)
+/** Does the highest harmonic of a bin stand so far above the straight line through other bins that chance does it with
+ * a probability of `level` at most? Errors counted: of a harmonic, of the line, and what still passes for one law.
+ * Where there are too few bins for a piece, or their line is steeper than any law (the flank of a cut-off or of another
+ * spectral line), their mean is taken. */
+static bool stands_above(const struct selection *selection, struct span others, const struct log_bin *bin, double scans,
+                         double level)
 {
-    if (end == first)
+    if (others.end == others.first)
         return false;
-    struct line line = line_through(selection, first, end - 1, one_law_square);
+    struct line line = line_through(selection, others.first, others.end - 1, one_law_square);
     double variance = log_bin_variance(scans) + one_law_square + 1 / line.weight;
     double away = bin->peak_x - line.x_mean, excess = bin->peak_y - line.y_mean;
-    if (end - first >= PIECE_BINS && line.slope <= most_gamma) {
+    if (others.end - others.first >= PIECE_BINS && line.slope <= most_gamma) {
         variance += away * away / line.x_spread;
         excess -= line.slope * away;
     }
     return excess > gsl_cdf_ugaussian_Qinv(level) * sqrt(variance);
 }
 
-/** Is bin j a line, to judge by piece k of the bins that are none, which begins before it? Beside a cut-off every bin
- * stands above the middle of its neighbours; a line has a valley on its right, deeper than any law falls, and stands
- * above what is on its left, carried on, and on its right: the piece's bins there, else the next piece, else the few
- * bins on its left, and this whole piece. One steeper than any law tells nothing: then either side must tell alone. */
+/** Is bin j a line? `rest` are the bins that are none, and their piece k begins before it. Beside a cut-off, too, bins
+ * stand above the middle of their neighbours; but right of a line there is a valley, deeper than any law falls, and the
+ * line stands above the law of its piece, of the bins on its left and of those on its right. Where the piece has too
+ * few bins on a side, the next piece stands in, on the right else the whole piece. A piece steeper than any law tells
+ * nothing; then either side must tell alone. */
 static bool is_line(const struct power_law_band *band, const struct selection *rest, const struct pieces *pieces,
                     size_t k, size_t j, double scans)
 {
     const struct log_bin *bin = &band->bin[j];
-    double file_level = line_level / (double)band->bin[band->bins - 1].last;
-    size_t first = pieces->first[k], end = pieces->first[k + 1], here = first, left = first, right = end, beside = j;
-    bool flank = line_through(rest, first, end - 1, one_law_square).slope > most_gamma;
-    double side_level = flank ? file_level : line_side_level / (double)(bin->last + 1 - bin->first);
-    while (here < end && rest->index[here] < j)
+    const struct span piece = piece_at(pieces, k);
+    size_t here = piece.first, after = j;
+    while (here < piece.end && rest->index[here] < j)
         here++;
-    while (beside + 1 < band->bins && band->use[beside] == POWER_LAW_BAND_LINE)
-        beside++;
-    const struct log_bin *valley = &band->bin[beside];
-    size_t left_end = here, right_first = here;
-    if (here - first < PIECE_BINS && k > 0) {
-        left = pieces->first[k - 1];
-        left_end = first;
-    }
-    if (end - here < PIECE_BINS) {
-        right_first = k + 1 < pieces->count ? end : first;
-        right = pieces->first[k + 1 < pieces->count ? k + 2 : k + 1];
-    }
-    return bin->peak_y - valley->y > line_valley_decades + most_gamma * (bin->peak_x - valley->x) &&
-           stands_above(rest, first, end, bin, scans, file_level) &&
-           stands_above(rest, left, left_end, bin, scans, side_level) &&
-           stands_above(rest, right_first, right, bin, scans, side_level);
+    while (after + 1 < band->bins && band->use[after] == POWER_LAW_BAND_LINE)
+        after++;
+    struct span left = {piece.first, here}, right = {here, piece.end};
+    if (here - piece.first < PIECE_BINS && k > 0)
+        left = piece_at(pieces, k - 1);
+    if (piece.end - here < PIECE_BINS)
+        right = k + 1 < pieces->count ? piece_at(pieces, k + 1) : piece;
+    double valley = bin->peak_y - band->bin[after].y, run = bin->peak_x - band->bin[after].x;
+    double level = line_level / (double)band->bin[band->bins - 1].last; /* of one harmonic in the whole file */
+    bool flank = slope_of(rest, piece.first, piece.end - 1) > most_gamma;
+    double side_level = flank ? level : line_side_level / (double)(bin->last + 1 - bin->first);
+    return valley > line_valley_decades + most_gamma * run && stands_above(rest, piece, bin, scans, level) &&
+           stands_above(rest, left, bin, scans, side_level) && stands_above(rest, right, bin, scans, side_level);
 }
 
-/** Marks the lines: runs of bins that stand out, of which one then stands above the straight pieces of the rest. */
+/** Marks the lines: runs of bins that stand out and hold one that also stands above the straight pieces of the rest. */
 static enum status_code find_lines(struct power_law_band *band, double scans, struct status *status)
 {
     bool out[LOG_BIN_MOST] = {false}, line[LOG_BIN_MOST] = {false};
     double z = gsl_cdf_ugaussian_Qinv(line_level / fmax(1, (double)band->bins));
     for (size_t j = 0; j < band->bins; j++)
         out[j] = stands_out(band, j, z);
-    for (size_t j = 1; j + 1 < band->bins; j++) /* between two, and no valley */
+    for (size_t j = 1; j + 1 < band->bins; j++) /* between two that do, without a valley */
         out[j] = out[j] || (out[j - 1] && out[j + 1] &&
                             band->bin[j].y > fmin(band->bin[j - 1].y, band->bin[j + 1].y) - line_decades);
     mark_lines(band, out, out);
@@ -331,14 +342,8 @@ static enum status_code gather(struct power_law_band *band, struct selection *se
                                struct status *status)
 {
     assert(spectrum->scans >= 1 && spectrum->length_m > 0);
-    *band = (struct power_law_band){.amplitude_m = NAN, .psd_m3 = NAN, .alpha = NAN, .slope_share = NAN};
-    band->fit = (struct power_law_band_fit){.gamma = NAN,
-                                            .gamma_s = NAN,
-                                            .log10_amplitude = NAN,
-                                            .log10_amplitude_s = NAN,
-                                            .wavelength_m = NAN,
-                                            .misfit_decades = NAN,
-                                            .band_m = {NAN, NAN}};
+    *band = (struct power_law_band){
+        .fit = {NAN, NAN, NAN, NAN, 0, 0, NAN, NAN, {NAN, NAN}, 0, 0, 0}, .psd_m3 = NAN, .slope_share = NAN};
     band->bins =
         log_bin_fill(band->bin, spectrum->square_m2, spectrum->count, spectrum->length_m, spectrum->scans, split);
     if (find_lines(band, spectrum->scans, status) != STATUS_OK)
@@ -363,7 +368,7 @@ static double slope_share(const struct power_law_band_spectrum *spectrum, const 
     return inside / all;
 }
 
-/** Takes over the fit through `used`, with all that follows from it. */
+/** Takes the fit through `used`, and what follows from it. */
 static void conclude(struct power_law_band *band, const struct power_law_band_fit *fit, const struct selection *used,
                      const struct power_law_band_spectrum *spectrum)
 {
@@ -371,11 +376,10 @@ static void conclude(struct power_law_band *band, const struct power_law_band_fi
     band->law = log10((double)fit->last_harmonic / (double)fit->first_harmonic) >= law_width_decades
                     ? POWER_LAW_BAND_LAW
                     : POWER_LAW_BAND_NARROW;
-    band->amplitude_m = pow(10, fit->log10_amplitude);
-    band->psd_m3 = band->amplitude_m * band->amplitude_m * spectrum->length_m / 2;
-    band->alpha = pow(10, fit->log10_amplitude - fit->gamma * log10(fit->wavelength_m));
+    double amplitude_m = pow(10, fit->log10_amplitude);
+    band->psd_m3 = amplitude_m * amplitude_m * spectrum->length_m / 2;
     band->slope_share = slope_share(spectrum, fit);
-    for (size_t j = 0; j < band->bins; j++) /* of a narrow law that gave way */
+    for (size_t j = 0; j < band->bins; j++) /* those of a narrow law that is given up */
         band->use[j] = band->use[j] == POWER_LAW_BAND_USED ? POWER_LAW_BAND_OUTSIDE : band->use[j];
     for (size_t i = 0; i < used->count; i++)
         band->use[used->index[i]] = POWER_LAW_BAND_USED;
@@ -388,19 +392,17 @@ struct candidate {
     double width_decades;
 };
 
-/** Shortens piece k at its knees by 2, 1 or no bins, the most that leaves enough; where the bins scatter, by 1. A steep
- * one that does not has a knee at its long end whatever there is. */
+/** Shortens piece k at its knees by 2, 1 or no bins, as many as leave enough; by 1 at most where the bins scatter. The
+ * long end of a steep piece that does not scatter counts as a knee. */
 static bool candidate_of(struct candidate *out, const struct selection *selection, const struct pieces *pieces,
                          size_t k)
 {
+    const struct span piece = piece_at(pieces, k);
     bool scattered = selection->scatter > 1;
-    bool steep =
-        !scattered &&
-        line_through(selection, pieces->first[k], pieces->first[k + 1] - 1, one_law_square).slope > steep_gamma;
+    bool steep = !scattered && slope_of(selection, piece.first, piece.end - 1) > steep_gamma;
     *out = (struct candidate){.knee = {k > 0 || steep, k + 1 < pieces->count}};
     for (size_t trim = scattered ? 2 : KNEE_BINS + 1; trim-- > 0;) {
-        size_t first = pieces->first[k] + (out->knee[0] ? trim : 0), end = pieces->first[k + 1];
-        end -= out->knee[1] ? trim : 0;
+        size_t first = piece.first + (out->knee[0] ? trim : 0), end = piece.end - (out->knee[1] ? trim : 0);
         if (end < first + CANDIDATE_BINS)
             continue;
         out->first = first;
@@ -408,14 +410,14 @@ static bool candidate_of(struct candidate *out, const struct selection *selectio
         out->width_decades =
             log10((double)bin_at(selection, out->last)->last / (double)bin_at(selection, first)->first);
         if (out->width_decades >= least_width_decades) {
-            double gamma = line_through(selection, out->first, out->last, one_law_square).slope;
+            double gamma = slope_of(selection, out->first, out->last);
             return gamma >= least_gamma && gamma <= most_gamma;
         }
     }
     return false;
 }
 
-/** Adds in quadrature what the fit changes when 2 bins more are left out beside each knee. */
+/** Adds, in quadrature, by how much the fit changes when 2 more bins are left out beside each knee. */
 static void add_knee_errors(struct power_law_band_fit *fit, const struct selection *selection,
                             const struct candidate *candidate, const struct power_law_band_spectrum *spectrum)
 {
@@ -441,14 +443,6 @@ static void add_knee_errors(struct power_law_band_fit *fit, const struct selecti
     fit->log10_amplitude_bias_s = hypot(fit->log10_amplitude_bias_s, amplitude_s);
 }
 
-/** Widest first, then the one of longer waves. */
-static int wider_first(const void *a, const void *b)
-{
-    const struct candidate *first = a, *second = b;
-    int order = (first->width_decades < second->width_decades) - (first->width_decades > second->width_decades);
-    return order ? order : (first->first > second->first) - (first->first < second->first);
-}
-
 static void describe_pieces(struct power_law_band *band, const struct selection *selection, const struct pieces *pieces,
                             double length_m)
 {
@@ -456,7 +450,7 @@ static void describe_pieces(struct power_law_band *band, const struct selection 
     for (size_t k = 0; k < pieces->count; k++) {
         size_t first = pieces->first[k], last = pieces->first[k + 1] - 1;
         struct power_law_band_piece *piece = &band->piece[k];
-        piece->gamma = line_through(selection, first, last, one_law_square).slope;
+        piece->gamma = slope_of(selection, first, last);
         piece->band_m[0] = length_m / (double)bin_at(selection, last)->last;
         piece->band_m[1] = length_m / (double)bin_at(selection, first)->first;
         if (k > 0)
@@ -464,42 +458,43 @@ static void describe_pieces(struct power_law_band *band, const struct selection 
     }
 }
 
-/** The widest candidate that is one law, as selection->scatter has it; where that is more than 1, as a scattered one.
- */
+/** Takes the widest candidate that is one law; with selection->scatter above 1, as a scattered one, and only if it
+ * holds the middle of the narrow law that was found. */
 static enum status_code look(struct power_law_band *out, const struct selection *selection,
                              const struct power_law_band_spectrum *spectrum, struct status *status)
 {
     struct pieces pieces;
-    struct candidate candidate[POWER_LAW_BAND_PIECES] = {0};
-    size_t candidates = 0;
-    bool scattered = selection->scatter > 1;
+    const bool scattered = selection->scatter > 1;
+    const double middle = log10(out->fit.wavelength_m);
+    double widest = 0;
     if (divide(&pieces, selection, status) != STATUS_OK)
         return status->code;
     if (!scattered)
         describe_pieces(out, selection, &pieces, spectrum->length_m);
-    for (size_t k = 0; k < pieces.count; k++)
-        candidates += candidate_of(&candidate[candidates], selection, &pieces, k);
-    qsort(candidate, candidates, sizeof *candidate, wider_first);
-    for (size_t c = 0; c < candidates; c++) {
-        struct selection used = part_of(selection, candidate[c].first, candidate[c].last - candidate[c].first + 1);
-        if (scattered) { /* in place of a narrow law, one of the same wavelengths */
-            double middle = log10(out->fit.wavelength_m);
+    for (size_t k = 0; k < pieces.count; k++) {
+        struct candidate candidate;
+        if (!candidate_of(&candidate, selection, &pieces, k) || candidate.width_decades <= widest)
+            continue;
+        struct selection used = part_of(selection, candidate.first, candidate.last - candidate.first + 1);
+        if (scattered) {
             if (middle < bin_at(&used, used.count - 1)->x || middle > bin_at(&used, 0)->x)
                 continue;
             used.scatter = 1;
             used.scatter = fmax(1, line_through(&used, 0, used.count - 1, 0).residual / (double)(used.count - 2));
         }
         struct power_law_band_fit fit = fit_of(&used, spectrum->length_m, spectrum->scans);
-        if (!scattered && fit.misfit_decades > most_misfit_decades)
-            continue;
-        if (!scattered)
-            add_knee_errors(&fit, selection, &candidate[c], spectrum);
+        if (!scattered) {
+            if (fit.misfit_decades > most_misfit_decades)
+                continue;
+            add_knee_errors(&fit, selection, &candidate, spectrum);
+        }
+        widest = candidate.width_decades;
         conclude(out, &fit, &used, spectrum);
-        if (scattered)
+        if (scattered) {
             out->law = POWER_LAW_BAND_SCATTERED;
-        if (scattered && used.index[0] == 0) /* no knee: as long as the scan */
-            out->fit.band_m[1] = spectrum->length_m;
-        break;
+            if (used.index[0] == 0) /* no knee: as long as the scan */
+                out->fit.band_m[1] = spectrum->length_m;
+        }
     }
     return STATUS_OK;
 }
@@ -524,7 +519,7 @@ enum status_code power_law_band_fit_in(struct power_law_band *out, const struct 
                                        const double band_m[2], struct status *status)
 {
     assert(band_m[0] >= 0 && band_m[1] > band_m[0]);
-    const double rounding = 1e-9; /* a band that ends on a harmonic has it */
+    const double rounding = 1e-9; /* so that a band that ends on a harmonic includes it */
     double most = (double)spectrum->count;
     double first = ceil(fmin(spectrum->length_m / band_m[1] * (1 - rounding), most + 1));
     double last = floor(fmin(spectrum->length_m / band_m[0] * (1 + rounding), most));

@@ -30,10 +30,10 @@ enum status_code power_law_scans_add(struct power_law_scans *scans, const double
 {
     if (scans->scan_count == scans->capacity) {
         size_t larger = scans->capacity ? 2 * scans->capacity : 4;
-        struct spectrum *grown = realloc(scans->scan, larger * sizeof *grown);
-        if (!grown)
+        struct spectrum *scan = realloc(scans->scan, larger * sizeof *scan);
+        if (!scan)
             return status_memory(status);
-        scans->scan = grown;
+        scans->scan = scan;
         size_t *file = realloc(scans->file, larger * sizeof *file);
         if (!file)
             return status_memory(status);
@@ -83,9 +83,9 @@ static enum status_code level_of(double *out, const struct spectrum *spectrum, s
     return STATUS_OK;
 }
 
-/** How many independent rows these neighbouring ones are worth: n = B (1-r)/(1+r) of B means of blocks, each like the
- * one before, r = sum d_i d_{i+1}/sum d² + 1/B (Bayley & Hammersley 1946, doi:10.2307/2983560; Kendall 1954,
- * doi:10.1093/biomet/41.3-4.403, for the 1/B). */
+/** How many independent rows neighbouring ones count as: n = B (1-r)/(1+r) for the means of B blocks of rows,
+ * r = sum d_i d_{i+1}/sum d² + 1/B the correlation of neighbouring blocks (Bayley & Hammersley 1946,
+ * doi:10.2307/2983560; Kendall 1954, doi:10.1093/biomet/41.3-4.403, for the 1/B). */
 static enum status_code rows_worth(double *out, const struct spectrum *row, size_t count, struct status *status)
 {
     size_t blocks = count < BLOCKS ? count : BLOCKS;
@@ -104,7 +104,7 @@ static enum status_code rows_worth(double *out, const struct spectrum *row, size
         squares += (mean[b] - of_all) * (mean[b] - of_all);
         products += b > 0 ? (mean[b] - of_all) * (mean[b - 1] - of_all) : 0;
     }
-    const double rounding = 1e-9; /* decades: more than it leaves of rows that are alike */
+    const double rounding = 1e-9; /* decades: equal rows differ by less */
     *out = 1;
     if (squares > (double)blocks * rounding * rounding) {
         double correlation = fmin(fmax(products / squares + 1 / (double)blocks, 0), 0.8);

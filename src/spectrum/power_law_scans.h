@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* From the scans of a surface to the spectrum its power law is fitted to: powers averaged over scans, and over how many
- * independent ones. */
+/* The spectrum to which the power law of a surface is fitted: mean power over its scans, and how many independent scans
+ * they are. */
 #ifndef SPECTRUM_POWER_LAW_SCANS_H
 #define SPECTRUM_POWER_LAW_SCANS_H
 
@@ -8,29 +8,29 @@
 
 /** Starts as {0}. Owned: power_law_scans_free(). */
 struct power_law_scans {
-    struct spectrum mean;  /* rms amplitudes, as grid_average() joins those of the scans */
-    struct spectrum *scan; /* each one's own, scan_count of them */
-    size_t *file;          /* and which file it is of, from 0 */
+    struct spectrum mean;  /* rms amplitudes, grid_average() of those of the scans */
+    struct spectrum *scan; /* scan_count of them */
+    size_t *file;          /* of each scan, from 0 */
     size_t scan_count, capacity;
-    size_t closed, files; /* scans of files that are complete, and those files */
-    double independent;   /* M: scans of profiles, and what the rows of maps are worth */
+    size_t closed, files; /* scans in files that are complete, and those files */
+    double independent;   /* M: profile scans, and what the rows of maps count as */
     double step_m;        /* largest digitising step; 0: none seen */
 };
 
-/** Adds a scan, or a row of a map: its multitaper spectrum. heights levelled by a line, a mean or not at all give the
- * same. step_m: of its digitiser, 0: none seen. Errors: of multitaper_square(). */
+/** Adds the multitaper spectrum of a scan or a row of a map; levelling does not matter. step_m: digitising step, 0:
+ * none seen. Errors: of multitaper_square(). */
 MUST_CHECK enum status_code power_law_scans_add(struct power_law_scans *scans, const double *height_m, size_t points,
                                                 double spacing_m, double step_m, struct status *status);
 
-/** Ends a file of `used` scans or rows. Those of a map were added, in their order, and are worth fewer, by the
- * correlation of 16 means of neighbouring rows, each row's value the mean over its bins (log_bin.h) of the logarithm of
- * its power, so that every decade of wavelength weighs the same. Error: STATUS_MEMORY. */
+/** Ends a file of `used` scans or rows. Rows of a map, added in their order, count as fewer independent scans, by the
+ * correlation of 16 means of neighbouring rows. The value of a row is the mean over its bins (log_bin.h) of the
+ * logarithm of its power, in which every decade of wavelength has the same weight. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code power_law_scans_end_file(struct power_law_scans *scans, size_t used, bool rows,
                                                      struct status *status);
 
 /** How a surface's law is looked for. */
 struct power_law_scans_def {
-    double lambda_s_m;    /* cut-off of the low-pass that was applied: no wave below twice that is used; 0: none */
+    double lambda_s_m;    /* cut-off of the low-pass that was applied: waves below twice that are not used; 0: none */
     const double *band_m; /* shortest and longest wavelength of the fit; NULL: found */
 };
 

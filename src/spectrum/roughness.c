@@ -9,7 +9,7 @@ static const double summit_variance = 3.717e-4;       /* McCool 1986, thesis (4.
 static const double summit_variance_digits = 1.35e-4; /* its relative rounding: half a unit of the last digit printed */
 static const double summit_offset = 0.045944;         /* Front, thesis (4.30) */
 
-static const double most_nayak = 1e24; /* slopes beyond are what rounding leaves of the difference of equal heights */
+static const double most_nayak = 1e24; /* beyond it slopes are rounding, of differences of equal heights */
 
 struct roughness roughness_of_heights_alone(const double *height_m, size_t points)
 {

@@ -5,11 +5,10 @@
 
 #include "spectrum/spectrum.h"
 
-/** Where m2 and m4 come from: finite differences of the heights, or the spectrum. */
+/** How m2 and m4 are found: by finite differences of the heights, or from the spectrum. */
 enum roughness_moments { ROUGHNESS_MOMENTS_DIFFERENCE, ROUGHNESS_MOMENTS_SPECTRAL, ROUGHNESS_MOMENTS_COUNT };
 extern const char *const roughness_moments_names[ROUGHNESS_MOMENTS_COUNT]; /* as a scene spells them */
 
-/** Of the profile itself. */
 struct roughness {
     double rq_m;      /* root mean square height */
     double ra_m;      /* mean absolute height */
@@ -21,32 +20,32 @@ struct roughness {
     double fourth_m4; /* mean fourth power of the height */
 };
 
-/** Heights (`points` >= 3, levelled, spacing h): m2 by central differences, m4 by the 3-point second difference, over
- * the inner points (4.19, 4.20). Points that are missing (NaN) are left out; a slope or curvature counts where all its
- * points are there, and m2 or m4 is NaN where none does. */
+/** Of levelled heights, `points` >= 3: m2 by central differences, m4 by the 3-point second difference, over the inner
+ * points (4.19, 4.20). Missing points (NaN) are left out; a slope or curvature counts where none of its points is
+ * missing. m2 or m4 is NaN where none counts. */
 struct roughness roughness_of_heights(const double *height_m, size_t points, double spacing_m);
 
-/** The same but for m2 and m4, which are left 0: positions do not matter. */
+/** The same without m2 and m4, which are left 0. */
 struct roughness roughness_of_heights_alone(const double *height_m, size_t points);
 
 /** roughness_of_heights() of heights at uneven positions (ascending): m2 by (z[i+1] - z[i-1])/(x[i+1] - x[i-1]), m4 by
  * the second divided difference through three points (4.19, 4.20). */
 struct roughness roughness_of_points(const double *x_m, const double *height_m, size_t points);
 
-/** m0, m2, m4 of the spectrum instead; the other fields are left as they are in `roughness`. */
+/** Replaces m0, m2, m4 by those of the spectrum. */
 void roughness_from_spectrum(struct roughness *roughness, const struct spectrum *spectrum);
 
-/** Rsk and Rku, the third and fourth power's mean over that of Rq (ISO 21920-2): 0 and 3 for Gaussian heights. */
+/** Rsk and Rku, mean cube and fourth power over those of Rq (ISO 21920-2): 0 and 3 for Gaussian heights. */
 double roughness_skewness(const struct roughness *roughness);
 double roughness_kurtosis(const struct roughness *roughness);
 
-/** Mean over scans: m0, m2, m4, Ra averaged, Rq from m0, PV the largest. `so_far` is how many `mean` holds. */
+/** Adds a scan to a mean over `so_far` scans: m0, m2, m4, Ra averaged, Rq from m0, PV the largest. */
 void roughness_average(struct roughness *mean, const struct roughness *other, size_t so_far);
 
 /** Two rough surfaces in contact: moments add, Rq follows; Ra and PV become NaN. */
 void roughness_add(struct roughness *sum, const struct roughness *other);
 
-/** Nayak parameter m0 m4/m2²; NaN where there is no slope, or none but rounding (above 1e24). */
+/** Nayak parameter m0 m4/m2²; NaN where slopes are 0 but for rounding (above 1e24). */
 double roughness_nayak(const struct roughness *roughness);
 
 /** The rough surface as the statistical models see it: asperities of one radius, Gaussian heights. */
@@ -59,9 +58,8 @@ struct asperities {
     double sigma_m;        /* sqrt(m0) */
 };
 
-/** eta (4.21), R (4.22), sigma_s (4.24), y_s (4.30). Error: STATUS_MODEL when no statistical model exists: a flat
- * profile, or a Nayak parameter below about 0.8968, for which sigma_s² is not positive to within the digits of (4.24).
- * What could be computed is in `out` either way (sigma_s NaN). */
+/** Error: STATUS_MODEL when no statistical model exists: a flat profile, or a Nayak parameter below about 0.8968, for
+ * which sigma_s² is not positive to the digits of (4.24). What could be computed is in `out` (sigma_s NaN). */
 MUST_CHECK enum status_code roughness_asperities(struct asperities *out, const struct roughness *roughness,
                                                  struct status *status);
 

@@ -9,7 +9,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-/** Squared amplitude at frequency n/L, n any number up to N/2: in a record of length L. */
+/** Squared amplitude at frequency n/L, n any number up to N/2, in a record of length L. */
 static double square_at(double n, const double *square_m2, size_t count)
 {
     if (n <= 1)
@@ -49,7 +49,7 @@ enum status_code simulated_record_prepare(struct simulated_record *out, const do
     }
     for (size_t k = 1; k <= waves; k++) {
         double square = square_at((double)k / SIMULATED_RECORD_LONGER, square_m2, count);
-        /* a square is the sum of the cosine's and the sine's; density is square L/2, so squares go as 1/L */
+        /* cosine and sine share the square; density is square L/2, so that the square falls as 1/L */
         out->deviation_m[k] = sqrt(square / (2 * SIMULATED_RECORD_LONGER));
     }
     return STATUS_OK;

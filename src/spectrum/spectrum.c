@@ -7,8 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/** Of a root mean square height: what no instrument resolves beside it, and files and transforms round to. */
-static const double resolved = 1e-4;
+static const double resolved = 1e-4; /* of a root mean square height: finer steps no instrument or file resolves */
 
 const char *const spectrum_window_names[SPECTRUM_WINDOW_COUNT] = {"auto", "none", "hann"};
 
@@ -67,14 +66,6 @@ void spectrum_average(struct spectrum *mean, const struct spectrum *other, size_
         double power = (1 - weight) * spectrum_power(mean, i) + weight * spectrum_power(other, i);
         mean->amplitude_m[i] = sqrt(mean->has_nyquist && i + 1 == mean->count ? power : 2 * power);
     }
-}
-
-void spectrum_average_logs(struct spectrum *mean, const struct spectrum *other, size_t so_far)
-{
-    assert(other->count == mean->count && other->has_nyquist == mean->has_nyquist);
-    for (size_t i = 0; i < mean->count; i++)
-        if (mean->amplitude_m[i] > 0)
-            mean->amplitude_m[i] *= pow(other->amplitude_m[i] / mean->amplitude_m[i], 1 / (double)(so_far + 1));
 }
 
 enum status_code spectrum_add_record(struct spectrum *mean, size_t so_far, const double *height_m, size_t points,

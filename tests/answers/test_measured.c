@@ -230,7 +230,7 @@ TEST_CASE(any_bytes_are_read_or_refused)
     static const unsigned quantities[MEASURED_COLUMNS] = {UNIT_LOADS, 255, 255};
     unsigned long seed = 1;
     size_t taken = 0;
-    for (int run = 0; run < 20000; run++) {
+    for (int run = 0; run < 2000; run++) {
         size_t length = sizeof sample - 1, cut = 0;
         char *bytes = support_room(length);
         memcpy(bytes, sample, length);
@@ -252,7 +252,7 @@ TEST_CASE(any_bytes_are_read_or_refused)
             assert_true(isfinite(file.rows[i].value[MEASURED_LOAD]) && file.rows[i].value[MEASURED_RESISTANCE] > 0);
         measured_file_free(&file);
     }
-    assert_true(taken > 500); /* not only refused */
+    assert_true(taken > 50); /* not only refused */
 }
 
 /** Each file has its units, its largest load and its way down; only an effect that runs is compared. */

@@ -110,8 +110,7 @@ double twenty_spots_of(size_t n)
             drawing[k] |= hypot(remainder(((double)(k % n) + 0.5) / (double)n - x, 1),
                                 remainder(((double)(k / n) + 0.5) / (double)n - y, 1)) <= a;
     }
-    double length = constriction_of_drawing(drawing, n, &iterations);
-    return length;
+    return constriction_of_drawing(drawing, n, &iterations);
 }
 
 double largest_pressure(const struct direct_contact *contact)

@@ -40,8 +40,8 @@ TEST_CASE(one_spot)
             continue; /* no more to be learnt */
         struct circle circle = {0.5 + 0.123 / (double)n, 0.5 + 0.234 / (double)n, a};
         double length = length_of_set(n, in_circle, &circle, &points);
-        assert_near((double)points, table_number(&table, row, "points"), 0);
-        assert_near(length, table_number(&table, row, "constriction_length_over_L"), 1e-9);
+        assert_cell((double)points, table, row, "points", 0);
+        assert_cell(length, table, row, "constriction_length_over_L", 1e-9);
         if (n >= 512 && a < 0.15)
             assert_near(length, 1 / (4 * a) - 2.482986 / 4 + 1.9172 * a * a / 4, 6e-3);
     }
@@ -54,9 +54,9 @@ TEST_CASE(twenty_spots)
     double length[3];
     for (size_t row = 0; row < table.rows; row++) {
         length[row] = twenty_spots_of((size_t)table_number(&table, row, "N"));
-        assert_near(length[row], table_number(&table, row, "constriction_length"), 1e-9);
+        assert_cell(length[row], table, row, "constriction_length", 1e-9);
     }
-    assert_near(2 * length[2] - length[1], table_number(&table, 0, "greenwood_periodic"), 5e-3);
+    assert_cell(2 * length[2] - length[1], table, 0, "greenwood_periodic", 5e-3);
 }
 
 static bool in_strip(double x, double y, const void *context)

@@ -4,31 +4,30 @@
 #include "direct/direct_constriction.h"
 #include "direct/direct_ladder.h"
 
-/** The rows of a table with a grid of n points a side, against solutions to `tolerance`. */
-static void random_rows(const char *file, size_t n, int expected_rows, double tolerance)
+/** Every so many of the rows of a table that have a grid of n points a side, against solutions to `tolerance`. */
+static void random_rows(const char *file, size_t n, size_t every, int expected_rows, double tolerance)
 {
     struct table table = table_read(file);
     double *height = recipe_surface(n);
     struct direct_contact contact = contact_of(height, n, n);
     int rows = 0;
-    for (size_t row = 0; row < table.rows; row++) {
+    for (size_t row = 0; row < table.rows; row += every) {
         if (table_number(&table, row, "N") != (double)n)
             continue;
         double hardness = strcmp(table_text(&table, row, "hardness"), "inf") == 0 ? INFINITY : 0.5;
         struct direct_contact_load load = load_of(table_number(&table, row, "p"), hardness, tolerance);
         struct direct_quantities found = solved(&contact, &load);
-        assert_near((double)found.contact_points, table_number(&table, row, "contact_points"), 0);
-        assert_near((double)found.perimeter_faces, table_number(&table, row, "perimeter_faces"), 0);
+        assert_cell((double)found.contact_points, table, row, "contact_points", 0);
+        assert_cell((double)found.perimeter_faces, table, row, "perimeter_faces", 0);
         struct overlap overlap = overlap_of(&contact, hardness);
-        assert_near((double)overlap.capped_points, table_number(&table, row, "capped_points"), 0);
-        assert_near(direct_area_corrected(&found, n * n, direct_kappa_yastrebov),
-                    table_number(&table, row, "area_corrected"), 1e-9);
-        assert_near(found.gap_m, table_number(&table, row, "open_gap"), 1e-9);
-        assert_near(overlap.plane_gap_m, table_number(&table, row, "mean_plane_gap"), 1e-9);
+        assert_cell((double)overlap.capped_points, table, row, "capped_points", 0);
+        assert_cell(direct_area_corrected(&found, n * n, direct_kappa_yastrebov), table, row, "area_corrected", 1e-9);
+        assert_cell(found.gap_m, table, row, "open_gap", 1e-9);
+        assert_cell(overlap.plane_gap_m, table, row, "mean_plane_gap", 1e-9);
         assert_true(violation_of(&contact, &load) < tolerance + (n > 256 ? 1e-11 : 1e-12)); /* rounding grows with n */
         double length = constriction_of(&contact, 1e-10);
-        assert_near(length, table_number(&table, row, "constriction_length"), 1e-9);
-        assert_near(2 * length, table_number(&table, row, "minus_dgap_dp_fixed_set"), 1e-9);
+        assert_cell(length, table, row, "constriction_length", 1e-9);
+        assert_cell(2 * length, table, row, "minus_dgap_dp_fixed_set", 1e-9);
         rows++;
     }
     assert_int_equal(rows, expected_rows);
@@ -37,17 +36,17 @@ static void random_rows(const char *file, size_t n, int expected_rows, double to
 
 TEST_CASE(random_surface_64)
 {
-    random_rows("golden/direct/random.csv", 64, 12, 1e-12);
+    random_rows("golden/direct/random.csv", 64, 1, 12, 1e-12);
 }
 
 TEST_CASE(random_surface_128)
 {
-    random_rows("golden/direct/random.csv", 128, 12, 1e-12);
+    random_rows("golden/direct/random.csv", 128, 1, 12, 1e-12);
 }
 
 TEST_CASE(random_surface_256)
 {
-    random_rows("golden/direct/random.csv", 256, 12, 1e-12);
+    random_rows("golden/direct/random.csv", 256, 5, 3, 1e-12);
 }
 
 /** Minutes; only where the environment asks for it. */
@@ -55,9 +54,9 @@ TEST_CASE(random_surface_fine)
 {
     if (!getenv("ROUGHCONTACT_SLOW_TESTS"))
         skip();
-    random_rows("golden/direct/random_fine.csv", 512, 12, 1e-12);
-    random_rows("golden/direct/random_fine.csv", 1024, 12, 1e-12);
-    random_rows("golden/direct/random_fine.csv", 2048, 6, 1e-10);
+    random_rows("golden/direct/random_fine.csv", 512, 1, 12, 1e-12);
+    random_rows("golden/direct/random_fine.csv", 1024, 1, 12, 1e-12);
+    random_rows("golden/direct/random_fine.csv", 2048, 1, 6, 1e-10);
 }
 
 /** One wave along x: A = (2/pi) asin sqrt x, gap = Delta (1 - x + x ln x), x = p/(pi E' Delta/L) (Westergaard 1939). */
@@ -74,9 +73,8 @@ TEST_CASE(westergaard_strip)
         assert_near((double)found.contact_points, 2 * table_number(&table, row, "contact_points"), 0);
         assert_within(found.gap_m / amplitude, table_number(&table, row, "gap_over_amplitude"), 2e-12);
         if (n == 4096)
-            assert_near(found.gap_m / amplitude, table_number(&table, row, "gap_exact"), 7.5e-7);
-        assert_near(2 * M_PI * constriction_of(&contact, 1e-10), table_number(&table, row, "minus_dgap_dx_fixed_set"),
-                    1e-9);
+            assert_cell(found.gap_m / amplitude, table, row, "gap_exact", 7.5e-7);
+        assert_cell(2 * M_PI * constriction_of(&contact, 1e-10), table, row, "minus_dgap_dx_fixed_set", 1e-9);
         direct_contact_free(&contact);
     }
 }
@@ -87,6 +85,8 @@ TEST_CASE(sinusoidal_cell)
     struct table table = table_read("golden/direct/sinusoid.csv");
     for (size_t row = 0; row < table.rows; row++) {
         size_t n = (size_t)table_number(&table, row, "N");
+        if (n == 512 && row % 4 != 0) /* light, half and nearly complete contact */
+            continue;
         double *height = support_room(n * n * sizeof *height), x = table_number(&table, row, "p_over_pstar");
         for (size_t j = 0; j < n; j++)
             for (size_t i = 0; i < n; i++)
@@ -95,13 +95,12 @@ TEST_CASE(sinusoidal_cell)
         struct direct_contact contact = contact_of(height, n, n);
         struct direct_contact_load load = load_of(x * sqrt(2) * M_PI * 0.01, INFINITY, n < 512 ? 1e-12 : 1e-9);
         struct direct_quantities found = solved(&contact, &load);
-        assert_near((double)found.contact_points, table_number(&table, row, "contact_points"), 0);
-        assert_near((double)found.perimeter_faces, table_number(&table, row, "perimeter_faces"), 0);
+        assert_cell((double)found.contact_points, table, row, "contact_points", 0);
+        assert_cell((double)found.perimeter_faces, table, row, "perimeter_faces", 0);
         assert_within(found.gap_m / 0.01, table_number(&table, row, "gap_over_amplitude"), n < 512 ? 1e-11 : 1e-9);
         assert_within(direct_area_corrected(&found, n * n, direct_kappa_yastrebov),
                       table_number(&table, row, "area_corrected"), 1e-11);
-        assert_near(2 * sqrt(2) * M_PI * constriction_of(&contact, 1e-8),
-                    table_number(&table, row, "minus_dgap_dx_fixed_set"), 1e-9);
+        assert_cell(2 * sqrt(2) * M_PI * constriction_of(&contact, 1e-8), table, row, "minus_dgap_dx_fixed_set", 1e-9);
         if (n == 512) {
             assert_within(found.gap_m / 0.01, table_number(&table, row, "gap_golden_1024"), 1.5e-6);
             assert_within(direct_area_corrected(&found, n * n, direct_kappa_yastrebov),
@@ -120,6 +119,8 @@ TEST_CASE(sphere_after_hertz)
     for (size_t row = 0; row < table.rows; row++) {
         size_t n = (size_t)table_number(&table, row, "N");
         double a = table_number(&table, row, "a_over_L"), mean, *height = paraboloid_of(n, &mean);
+        if (n == 512 && a < 0.15) /* the finest grid: once */
+            continue;
         struct direct_contact contact = contact_of(height, n, n);
         struct direct_contact_load load = load_of(4.0 / 3 * a * a * a, INFINITY, n < 512 ? 1e-12 : 1e-11);
         struct direct_quantities found = solved(&contact, &load);
@@ -129,16 +130,15 @@ TEST_CASE(sphere_after_hertz)
             if (n >= 256 && a < 0.06 && square < 0.5)
                 assert_near(p, 2 * a / M_PI * sqrt(1 - square), 4e-3);
         }
-        assert_near((double)found.contact_points, table_number(&table, row, "contact_points"), 0);
-        assert_near((double)found.perimeter_faces, table_number(&table, row, "perimeter_faces"), 0);
-        assert_near((double)found.contact_points / ((double)(n * n) * M_PI * a * a),
-                    table_number(&table, row, "area_over_hertz"), 1e-9);
-        assert_near(direct_area_corrected(&found, n * n, direct_kappa_yastrebov) / (M_PI * a * a),
-                    table_number(&table, row, "corrected_area_over_hertz"), 1e-9);
-        assert_near(most / (2 * a / M_PI), table_number(&table, row, "pmax_over_hertz"), 1e-9);
-        assert_near(overlap_of(&contact, INFINITY).plane_gap_m + mean, table_number(&table, row, "mean_gap"), 1e-9);
-        assert_near(2 * constriction_of(&contact, 1e-9), table_number(&table, row, "stiffness_fixed_set_dgap_dp"),
+        assert_cell((double)found.contact_points, table, row, "contact_points", 0);
+        assert_cell((double)found.perimeter_faces, table, row, "perimeter_faces", 0);
+        assert_cell((double)found.contact_points / ((double)(n * n) * M_PI * a * a), table, row, "area_over_hertz",
                     1e-9);
+        assert_cell(direct_area_corrected(&found, n * n, direct_kappa_yastrebov) / (M_PI * a * a), table, row,
+                    "corrected_area_over_hertz", 1e-9);
+        assert_cell(most / (2 * a / M_PI), table, row, "pmax_over_hertz", 1e-9);
+        assert_cell(overlap_of(&contact, INFINITY).plane_gap_m + mean, table, row, "mean_gap", 1e-9);
+        assert_cell(2 * constriction_of(&contact, 1e-9), table, row, "stiffness_fixed_set_dgap_dp", 1e-9);
         if (n >= 256)
             assert_near(most, 2 * a / M_PI, a < 0.06 ? 8.1e-5 : a < 0.11 ? 1.3e-3 : 0.011);
         direct_contact_free(&contact);
@@ -178,25 +178,18 @@ TEST_CASE(refuses_what_cannot_be_solved)
         {"not converge", 0.01, 0.5, 1e-300, NULL, STATUS_MODEL},
         {"stopped", 0.01, INFINITY, 1e-6, &stop, STATUS_INTERRUPTED},
     };
-    struct status status = {0};
     expect_fails(STATUS_MODEL, "flat", result_of, height, N, &load);
     for (size_t k = 0; k < N * N; k++)
         height[k] = 0.1; /* flat but for rounding */
-    status = (struct status){0};
     expect_fails(STATUS_MODEL, "", result_of, height, N, &load);
     height[7] = NAN;
-    status = (struct status){0};
     expect_fails(STATUS_MODEL, "height 7", result_of, height, N, &load);
     height[7] = INFINITY;
-    status = (struct status){0};
     expect_fails(STATUS_MODEL, "", result_of, height, N, &load);
     for (size_t k = 0; k < sizeof cases / sizeof cases[0]; k++) {
         load = load_of(cases[k].p, cases[k].hardness, cases[k].tolerance);
         load.stop = cases[k].stop;
-        status = (struct status){0};
-        if (result_of(rough, 64, &load, &status) != cases[k].code)
-            fail_msg("case %zu: %s", k, status.message);
-        assert_non_null(strstr(status.message, cases[k].says));
+        expect_fails(cases[k].code, cases[k].says, result_of, rough, 64, &load);
     }
 }
 
@@ -264,8 +257,8 @@ TEST_CASE(complete_contact)
  * reached changes nothing. */
 TEST_CASE(monotone_and_warm)
 {
-    double *height = recipe_surface(128);
-    struct direct_contact cold = contact_of(height, 128, 128), warm = contact_of(height, 128, 128);
+    double *height = recipe_surface(64);
+    struct direct_contact cold = contact_of(height, 64, 64), warm = contact_of(height, 64, 64);
     for (int capped = 0; capped < 2; capped++) {
         struct direct_quantities last = {.gap_m = INFINITY};
         double last_length = INFINITY;

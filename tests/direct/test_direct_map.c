@@ -108,9 +108,8 @@ TEST_CASE(refused_maps)
     double height[16 * 16] = {0};
     struct direct_map map;
     static const struct direct_map_def defs[] = {{16, 7, 1, 1, false, 0, false}, {16, 16, 1, 1.1, false, 0, false}};
-    for (size_t k = 0; k < 2; k++) {
+    for (size_t k = 0; k < 2; k++)
         expect_fails(STATUS_SCAN, "", direct_map_make, &map, height, &defs[k], 400);
-    }
     for (size_t k = 0; k < 129; k++)
         height[k] = NAN;
     expect_fails(STATUS_SCAN, "129", direct_map_make, &map, height,
@@ -131,13 +130,11 @@ static void solve_grid(struct direct_point out[MIRROR_LOADS], const double *heig
 {
     double load[MIRROR_LOADS];
     struct direct_contact contact;
-    struct status status = {0};
     struct direct_ladder_def ladder = {load, MIRROR_LOADS, INFINITY, 1e-6, true, NULL};
     for (int i = 0; i < MIRROR_LOADS; i++)
         load[i] = mirror_loads[i] * gradient;
-    if (direct_contact_make(&contact, height, &grid, &status) != STATUS_OK ||
-        direct_ladder_run(out, &contact, &ladder, &status) != STATUS_OK)
-        fail_msg("%s", status.message);
+    expect_ok(direct_contact_make, &contact, height, &grid);
+    expect_ok(direct_ladder_run, out, &contact, &ladder);
     direct_contact_free(&contact);
 }
 

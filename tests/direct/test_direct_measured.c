@@ -6,7 +6,6 @@
 #include "direct/direct_ladder.h"
 #include "direct/direct_map.h"
 #include "scan/scan.h"
-#include <stdio.h>
 #include <unistd.h>
 
 enum { LOADS = 3 };
@@ -22,23 +21,18 @@ struct measured {
 static void solve(struct direct_point *out, const double *height_m, const struct measured *measured)
 {
     struct direct_contact contact;
-    struct status status = {0};
     struct direct_ladder_def ladder = {measured->load, LOADS, INFINITY, 1e-6, true, NULL};
-    if (direct_contact_make(&contact, height_m, &measured->map.grid, &status) != STATUS_OK ||
-        direct_ladder_run(out, &contact, &ladder, &status) != STATUS_OK)
-        fail_msg("%s: %s", measured->name, status.message);
+    expect_ok(direct_contact_make, &contact, height_m, &measured->map.grid);
+    expect_ok(direct_ladder_run, out, &contact, &ladder);
     direct_contact_free(&contact);
 }
 
 /** False where the map is not there, or more than 200 points a side and nobody asks for slow tests. */
 static bool take(struct measured *out, const struct table *table, size_t row)
 {
-    char path[4096];
     struct scan scan;
-    struct scan_options options = {0};
-    struct status status = {0};
     *out = (struct measured){.name = table_text(table, row, "map")};
-    snprintf(path, sizeof path, "%s/../shared/scans/%s", PROJECT_SOURCE, out->name);
+    const char *path = lasting("%s/../shared/scans/%s", PROJECT_SOURCE, out->name);
     if (access(path, R_OK) != 0 ||
         (table_number(table, row, "points_a_side") > 200 && !getenv("ROUGHCONTACT_SLOW_TESTS")))
         return false;
@@ -46,8 +40,7 @@ static bool take(struct measured *out, const struct table *table, size_t row)
         assert_string_equal(table_text(table, row + i, "map"), out->name);
         out->load[i] = table_number(table, row + i, "load_over_Ep");
     }
-    if (scan_read(&scan, path, &options, &status) != STATUS_OK)
-        fail_msg("%s: %s", out->name, status.message);
+    expect_ok(scan_read, &scan, path, &(struct scan_options){0});
     double step = 0; /* the table's maps are all low-passed, which this makes sure of and leaves nothing of itself */
     for (size_t k = 1; k < scan.nx * scan.ny; k++)
         step = isnan(scan.z_m[k] - scan.z_m[k - 1]) ? step : hypot(step, (scan.z_m[k] - scan.z_m[k - 1]));
@@ -55,9 +48,8 @@ static bool take(struct measured *out, const struct table *table, size_t row)
     for (size_t k = 0; k < scan.nx * scan.ny; k++)
         scan.z_m[k] += (k % scan.nx + k / scan.nx) % 2 ? step / 4 : -step / 4;
     struct direct_map_def def = {scan.nx, scan.ny, scan.dx_m, scan.dy_m, false, 0, false};
-    if (direct_map_condition(scan.z_m, &def, false, &status) != STATUS_OK ||
-        direct_map_make(&out->map, scan.z_m, &def, 400, &status) != STATUS_OK)
-        fail_msg("%s: %s", out->name, status.message);
+    expect_ok(direct_map_condition, scan.z_m, &def, false);
+    expect_ok(direct_map_make, &out->map, scan.z_m, &def, 400);
     scan_free(&scan);
     solve(out->point, out->map.height_m, out);
     return true;
@@ -73,8 +65,8 @@ TEST_CASE(maps_as_known)
         struct measured measured;
         if (!take(&measured, &table, row))
             continue;
-        assert_near((double)measured.map.grid.nx, table_number(&table, row, "points_a_side"), 0);
-        assert_near(measured.map.grid.spacing_m, table_number(&table, row, "spacing_m"), 1e-5);
+        assert_cell((double)measured.map.grid.nx, table, row, "points_a_side", 0);
+        assert_cell(measured.map.grid.spacing_m, table, row, "spacing_m", 1e-5);
         for (size_t i = 0; i < LOADS; i++) {
             const struct direct_point *point = &measured.point[i];
             assert_near(point->quantities.area_ratio, table_number(&table, row + i, "area_ratio"), 0.06);

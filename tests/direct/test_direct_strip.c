@@ -25,10 +25,10 @@ TEST_CASE(matches_reference)
         struct direct_contact contact = strip_of(height, profiles.rows, 1e-6);
         struct direct_contact_load load = load_of(table_number(&table, i, "load_over_AnEp"), INFINITY, 1e-12);
         struct direct_quantities found = solved(&contact, &load);
-        assert_near((double)found.contact_points, table_number(&table, i, "contact_points"), 0);
-        assert_near((double)found.perimeter_faces, table_number(&table, i, "faces"), 0);
-        assert_near(found.gap_m, table_number(&table, i, "gap_m"), 1e-8);
-        assert_near(constriction_of(&contact, 1e-9), table_number(&table, i, "constriction_length_m"), 1e-8);
+        assert_cell((double)found.contact_points, table, i, "contact_points", 0);
+        assert_cell((double)found.perimeter_faces, table, i, "faces", 0);
+        assert_cell(found.gap_m, table, i, "gap_m", 1e-8);
+        assert_cell(constriction_of(&contact, 1e-9), table, i, "constriction_length_m", 1e-8);
         direct_contact_free(&contact);
     }
 }

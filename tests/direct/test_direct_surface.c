@@ -31,13 +31,13 @@ TEST_CASE(recipe_heights)
             square += h[k] * h[k] / (double)(n * n);
         }
         /* the table's first index is along y */
-        assert_near(h[0], table_number(&table, row, "h_0_0"), 1e-10);
-        assert_near(h[n + 2], table_number(&table, row, "h_1_2"), 1e-10);
-        assert_near(h[n / 2 * n + n / 4], table_number(&table, row, "h_N2_N4"), 1e-10);
-        assert_near(h[(n - 1) * n + 3], table_number(&table, row, "h_N1_3"), 1e-10);
-        assert_near(most, table_number(&table, row, "max"), 1e-10);
-        assert_near(least, table_number(&table, row, "min"), 1e-10);
-        assert_near(sqrt(square), table_number(&table, row, "std"), 1e-10);
+        assert_cell(h[0], table, row, "h_0_0", 1e-10);
+        assert_cell(h[n + 2], table, row, "h_1_2", 1e-10);
+        assert_cell(h[n / 2 * n + n / 4], table, row, "h_N2_N4", 1e-10);
+        assert_cell(h[(n - 1) * n + 3], table, row, "h_N1_3", 1e-10);
+        assert_cell(most, table, row, "max", 1e-10);
+        assert_cell(least, table, row, "min", 1e-10);
+        assert_cell(sqrt(square), table, row, "std", 1e-10);
     }
 }
 
@@ -114,8 +114,8 @@ TEST_CASE(matched_law)
             moments[k] = table_number(&table, row, names[k]);
         expect_ok(direct_law_match, &found, moments, table_number(&table, row, "length_m"),
                   table_number(&table, row, "lambda_s_m"));
-        assert_near(found.gamma, table_number(&table, row, "gamma"), 1e-8);
-        assert_near(found.roll_off, table_number(&table, row, "m_r"), 1e-8);
+        assert_cell(found.gamma, table, row, "gamma", 1e-8);
+        assert_cell(found.roll_off, table, row, "m_r", 1e-8);
     }
     for (int end = 0; end < 2; end++) { /* m0 and m2 stand whatever m1 says */
         double of_found[3], share = end ? 0.98 : 0.2;
@@ -127,9 +127,8 @@ TEST_CASE(matched_law)
         assert_near(of_found[2], moments[2], 1e-9);
     }
     static const double none[][3] = {{1e-12, 1e-3, 1e9}, {1e-12, 1e-12, 1e-12}, {1e-12, 1e-8, NAN}, {1e-12, 0, 1e-4}};
-    for (size_t k = 0; k < sizeof none / sizeof *none; k++) {
+    for (size_t k = 0; k < sizeof none / sizeof *none; k++)
         expect_fails(STATUS_MODEL, "", direct_law_match, &found, none[k], 3e-4, 8e-6);
-    }
 }
 
 /** A finer grid holds the same surface: point for point by interpolation as by synthesis. */

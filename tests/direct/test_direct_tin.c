@@ -8,7 +8,6 @@
 #include "profile/profile.h"
 #include "scan/scan.h"
 #include "spectrum/spectrum.h"
-#include <stdio.h>
 
 static const double cut_off_m = 8e-6;
 
@@ -36,7 +35,6 @@ static struct ratios ratios_of(const char *model, const struct direct_law *law,
     struct asperities asperities;
     struct contact_point points[2];
     struct model_curve curve = {.points = points};
-    struct status status = {0};
     roughness_from_spectrum(&roughness, &rows);
     expect_ok(roughness_asperities, &asperities, &roughness);
     struct model_task task = {.spectrum = &rows,
@@ -48,8 +46,7 @@ static struct ratios ratios_of(const char *model, const struct direct_law *law,
                               .tolerance = 1e-6,
                               .wanted = QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(QUANTITY_SEPARATION) |
                                         QUANTITY_BIT(QUANTITY_ECR)};
-    if (model_run(&curve, model_rows[model_named(model)], &task, &status) != STATUS_OK)
-        fail_msg("%s: %s", model, status.message);
+    expect_ok(model_run, &curve, model_rows[model_named(model)], &task);
     assert_true(curve.exists && curve.count >= 1);
     spectrum_free(&rows);
     return (struct ratios){points[0].value[QUANTITY_AREA] / point->mean[DIRECT_AREA].value,
@@ -78,15 +75,13 @@ static struct direct_ensemble_point solve(const struct direct_law *law, size_t n
 {
     struct direct_spectrum spectrum;
     struct direct_ensemble ensemble;
-    struct status status = {0};
     struct direct_ensemble_def def = {.ladder = {&load, 1, INFINITY, 1e-6, true, NULL},
                                       .length_m = law->length_m,
                                       .n = n,
                                       .recipe = {direct_spectrum_variance, &spectrum, NULL, 0},
                                       .seeds = seeds};
-    if (direct_spectrum_of_law(&spectrum, law, &status) != STATUS_OK ||
-        direct_ensemble_run(&ensemble, &def, &status) != STATUS_OK)
-        fail_msg("%s", status.message);
+    expect_ok(direct_spectrum_of_law, &spectrum, law);
+    expect_ok(direct_ensemble_run, &ensemble, &def);
     struct direct_ensemble_point point = ensemble.point[0];
     direct_ensemble_free(&ensemble);
     direct_spectrum_free(&spectrum);
@@ -120,19 +115,16 @@ TEST_CASE(laws_matched)
     static const double gammas[] = {1.297, 1.189, 1.041, 0.996};
     for (int k = 0; k < 4; k++) {
         struct scan scan;
-        struct scan_options options = {0};
         struct profile profile;
         struct spectrum spectrum;
         struct direct_law law;
-        struct status status = {0};
-        if (scan_read(&scan, filled("%s/surfaces/chapter6/surface-%d.csv", PROJECT_SOURCE, k + 1), &options, &status) !=
-                STATUS_OK ||
-            profile_make(&profile, &scan, 0, &(struct profile_options){.level = LEVEL_MEAN}, &status) != STATUS_OK ||
-            spectrum_compute(&spectrum, profile.height_m, profile.points, profile.spacing_m, SPECTRUM_WINDOW_NONE,
-                             &status) != STATUS_OK ||
-            direct_law_match(&law, (double[]){spectrum_moment(&spectrum, 0), 1e-30, spectrum_moment(&spectrum, 1)},
-                             spectrum.length_m, cut_off_m, &status) != STATUS_OK)
-            fail_msg("%s", status.message);
+        expect_ok(scan_read, &scan, filled("%s/surfaces/chapter6/surface-%d.csv", PROJECT_SOURCE, k + 1),
+                  &(struct scan_options){0});
+        expect_ok(profile_make, &profile, &scan, 0, &(struct profile_options){.level = LEVEL_MEAN});
+        expect_ok(spectrum_compute, &spectrum, profile.height_m, profile.points, profile.spacing_m,
+                  SPECTRUM_WINDOW_NONE);
+        const double moments[] = {spectrum_moment(&spectrum, 0), 1e-30, spectrum_moment(&spectrum, 1)};
+        expect_ok(direct_law_match, &law, moments, spectrum.length_m, cut_off_m);
         assert_within(law.gamma, gammas[k], 6e-4);
         if (k == 0) {
             struct direct_ensemble_point point = solve(&law, 256, 12, 1e-4);

@@ -16,7 +16,7 @@ TEST_CASE(paths_match_reference)
                 name = names[k + 1];
         const struct material *metal = material_find(name);
         assert_non_null(metal);
-        assert_near(metal->electrons_per_m3, table_number(&table, i, "electrons_per_m3"), 1e-15);
+        assert_cell(metal->electrons_per_m3, table, i, "electrons_per_m3", 1e-15);
         /* the reference took hbar to ten digits, 1.054571817e-34 J s; it is h/(2 pi) exactly */
         double hbar = constant_planck_J_s / (2 * M_PI) / 1.054571817e-34;
         assert_near(electron_mean_free_path(metal->electrons_per_m3, table_number(&table, i, "rho_ohm_m")),

@@ -11,12 +11,11 @@ TEST_CASE(table_matches_reference)
         assert_non_null(gas);
         double temperature_K = table_number(&table, i, "T_K"), pressure_Pa = table_number(&table, i, "p_Pa");
         double accommodation = table_number(&table, i, "accommodation");
-        assert_near(gas->conductivity_W_per_mK, table_number(&table, i, "k_W_per_mK"), 1e-15);
-        assert_near(gas_prandtl(gas), table_number(&table, i, "Prandtl"), 1e-12);
-        assert_near(gas_mean_free_path(gas, temperature_K, pressure_Pa), table_number(&table, i, "mean_free_path_m"),
+        assert_cell(gas->conductivity_W_per_mK, table, i, "k_W_per_mK", 1e-15);
+        assert_cell(gas_prandtl(gas), table, i, "Prandtl", 1e-12);
+        assert_cell(gas_mean_free_path(gas, temperature_K, pressure_Pa), table, i, "mean_free_path_m", 1e-12);
+        assert_cell(gas_jump_length(gas, temperature_K, pressure_Pa, accommodation, accommodation), table, i, "M_m",
                     1e-12);
-        assert_near(gas_jump_length(gas, temperature_K, pressure_Pa, accommodation, accommodation),
-                    table_number(&table, i, "M_m"), 1e-12);
     }
 }
 

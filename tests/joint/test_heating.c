@@ -20,14 +20,14 @@ TEST_CASE(matches_reference)
     struct table table = table_read("golden/models/holm.csv");
     for (size_t i = 0; i < table.rows; i++) {
         double body_K = table_number(&table, i, "T0_K"), hottest_K = table_number(&table, i, "Tmax_K");
-        assert_near(heating_lorenz_number(), table_number(&table, i, "lorenz_V2_per_K2"), 1e-14);
+        assert_cell(heating_lorenz_number(), table, i, "lorenz_V2_per_K2", 1e-14);
         double voltage_V = table_number(&table, i, "voltage_V");
         assert_near(body_K + heating_rise(voltage_V, body_K), hottest_K, 1e-13);
         assert_near(heating_rise(voltage_V, body_K), hottest_K - body_K, 1e-10);
         const struct heating_metal *metal = metal_of(table_text(&table, i, "metal"));
         assert_non_null(metal);
-        assert_near(metal->melting_K, table_number(&table, i, "melting_K"), 1e-15);
-        assert_near(heating_voltage(metal->melting_K, body_K), table_number(&table, i, "melting_voltage_V"), 1e-12);
+        assert_cell(metal->melting_K, table, i, "melting_K", 1e-15);
+        assert_cell(heating_voltage(metal->melting_K, body_K), table, i, "melting_voltage_V", 1e-12);
     }
 }
 

@@ -27,6 +27,12 @@ static struct contact_point apply(const struct joint *joint, unsigned effects, s
     return point;
 }
 
+/** A quantity of such a point. */
+static double applied(const struct joint *joint, unsigned effects, double area, double separation_m, enum quantity q)
+{
+    return apply(joint, effects, point_of(area, separation_m)).value[q];
+}
+
 /** What a model may be off by in area: that of an elastic area exp(0.37) times as large, beside the same hardness, and
  * of the rule for both. */
 TEST_CASE(areas_error)
@@ -111,10 +117,10 @@ TEST_CASE(gaps)
     joint.pressure_Pa = 1e-6 * gas_table_pressure_Pa;
     double jump_m = gas_jump_length(joint.gas, 300, joint.pressure_Pa, joint.accommodation, joint.accommodation);
     /* of the gaps that a cut at 2 sigma leaves, a share of the Gaussian distribution */
-    assert_near(apply(&joint, gap, point_of(0.01, 2e-6)).value[QUANTITY_GAP],
+    assert_near(applied(&joint, gap, 0.01, 2e-6, QUANTITY_GAP),
                 0.99 * joint.gas->conductivity_W_per_mK / jump_m * erfc(-2 / M_SQRT2) / 2, 1e-4);
     joint.pressure_Pa = 0;
-    assert_within(apply(&joint, gap, point_of(0.01, 2e-6)).value[QUANTITY_GAP], 0, 0);
+    assert_within(applied(&joint, gap, 0.01, 2e-6, QUANTITY_GAP), 0, 0);
     joint.fill = JOINT_VACUUM;
     struct contact_point vacuum = apply(&joint, gap, point_of(0.01, 2e-6));
     assert_within(vacuum.value[QUANTITY_GAP], 0, 0);
@@ -122,13 +128,13 @@ TEST_CASE(gaps)
     /* grease: k/Y on what does not touch */
     joint.fill = JOINT_MEDIUM;
     joint.conductivity_W_per_mK = 0.8;
-    assert_near(apply(&joint, gap, point_of(0.25, 2e-6)).value[QUANTITY_GAP], 0.75 * 0.8 / 2e-6, 1e-15);
-    assert_true(isnan(apply(&joint, gap, point_of(0.25, 0)).value[QUANTITY_GAP]));
+    assert_near(applied(&joint, gap, 0.25, 2e-6, QUANTITY_GAP), 0.75 * 0.8 / 2e-6, 1e-15);
+    assert_true(isnan(applied(&joint, gap, 0.25, 0, QUANTITY_GAP)));
     /* a bond line counts where it is thicker than the gap */
     joint.bond_line_m = 3e-6;
-    assert_near(apply(&joint, gap, point_of(0.25, 2e-6)).value[QUANTITY_GAP], 0.75 * 0.8 / 3e-6, 1e-15);
-    assert_near(apply(&joint, gap, point_of(0.25, -1e-6)).value[QUANTITY_GAP], 0.75 * 0.8 / 3e-6, 1e-15);
-    assert_near(apply(&joint, gap, point_of(0.25, 4e-6)).value[QUANTITY_GAP], 0.75 * 0.8 / 4e-6, 1e-15);
+    assert_near(applied(&joint, gap, 0.25, 2e-6, QUANTITY_GAP), 0.75 * 0.8 / 3e-6, 1e-15);
+    assert_near(applied(&joint, gap, 0.25, -1e-6, QUANTITY_GAP), 0.75 * 0.8 / 3e-6, 1e-15);
+    assert_near(applied(&joint, gap, 0.25, 4e-6, QUANTITY_GAP), 0.75 * 0.8 / 4e-6, 1e-15);
     /* a model without a separation has none, whatever fills the gaps */
     for (int fill = JOINT_VACUUM; fill <= JOINT_MEDIUM; fill++) {
         joint.fill = (enum joint_fill)fill;
@@ -137,8 +143,7 @@ TEST_CASE(gaps)
     }
     /* planes that have met count as touching */
     joint = joint_default();
-    assert_near(apply(&joint, gap, point_of(0.3, -1e-6)).value[QUANTITY_GAP],
-                apply(&joint, gap, point_of(0.3, 0)).value[QUANTITY_GAP], 1e-15);
+    assert_near(applied(&joint, gap, 0.3, -1e-6, QUANTITY_GAP), applied(&joint, gap, 0.3, 0, QUANTITY_GAP), 1e-15);
 }
 
 /** A filler's bond line t: from where the gap passes it on, what touches stays; where it never was wider no metal
@@ -244,23 +249,15 @@ TEST_CASE(spots)
     assert_within(point.value[QUANTITY_SPOT_RADIUS] - 3e-6, 0, 0);
 }
 
-/** Alike spots: rho/(2a) + s/(pi a²) each, n in parallel, n pi a² = A/A_n. */
-TEST_CASE(film_sums_over_spots)
-{
-    double rho = 1.7e-8, film = 1e-12, n = 1e8, a = 3e-6, spot_m2 = M_PI * a * a;
-    assert_near(joint_film(rho / (2 * a) / n, film, n * spot_m2), (rho / (2 * a) + film / spot_m2) / n, 1e-14);
-}
-
 /** No film: no change; a film alone adds s_f A_n/A. */
 TEST_CASE(films)
 {
     struct joint joint = {.film_ohm_m2 = 0};
-    assert_within(apply(&joint, EFFECT_BIT(EFFECT_FILM), point_of(0.04, NAN)).value[QUANTITY_JOINT_ECR] - 2e-10, 0, 0);
+    assert_within(applied(&joint, EFFECT_BIT(EFFECT_FILM), 0.04, NAN, QUANTITY_JOINT_ECR) - 2e-10, 0, 0);
     joint.film_ohm_m2 = 1e-12;
-    assert_near(apply(&joint, EFFECT_BIT(EFFECT_FILM), point_of(0.04, NAN)).value[QUANTITY_JOINT_ECR],
-                2e-10 + 1e-12 / 0.04, 1e-15);
-    assert_near(apply(&joint, EFFECT_BIT(EFFECT_FILM), point_of(0.5, NAN)).value[QUANTITY_JOINT_ECR],
-                2e-10 + 1e-12 / 0.5, 1e-15); /* needs no spots */
+    assert_near(applied(&joint, EFFECT_BIT(EFFECT_FILM), 0.04, NAN, QUANTITY_JOINT_ECR), 2e-10 + 1e-12 / 0.04, 1e-15);
+    assert_near(applied(&joint, EFFECT_BIT(EFFECT_FILM), 0.5, NAN, QUANTITY_JOINT_ECR), 2e-10 + 1e-12 / 0.5,
+                1e-15); /* needs no spots */
 }
 
 /** No plating: 1; a thick one: a body of plating; the surface's side alone, or both; nothing beyond independent spots.
@@ -269,13 +266,11 @@ TEST_CASE(platings)
 {
     const unsigned plating = EFFECT_BIT(EFFECT_PLATING);
     struct joint joint = {.plating_thickness_m = 1e-18, .plating_ohm_m = 1e-8};
-    assert_near(apply(&joint, plating, point_of(0.04, NAN)).value[QUANTITY_PLATING_FACTOR], 1, 1e-9);
+    assert_near(applied(&joint, plating, 0.04, NAN, QUANTITY_PLATING_FACTOR), 1, 1e-9);
     joint.plating_thickness_m = 1;
-    assert_near(apply(&joint, plating, point_of(0.04, NAN)).value[QUANTITY_PLATING_FACTOR], (1e-8 + 2e-8) / 1.2e-7,
-                1e-4);
+    assert_near(applied(&joint, plating, 0.04, NAN, QUANTITY_PLATING_FACTOR), (1e-8 + 2e-8) / 1.2e-7, 1e-4);
     joint.both_plated = true;
-    assert_near(apply(&joint, plating, point_of(0.04, NAN)).value[QUANTITY_PLATING_FACTOR], (1e-8 + 1e-8) / 1.2e-7,
-                1e-4);
+    assert_near(applied(&joint, plating, 0.04, NAN, QUANTITY_PLATING_FACTOR), (1e-8 + 1e-8) / 1.2e-7, 1e-4);
     joint.plating_thickness_m = 1e-6;
     struct contact_point both = apply(&joint, plating, point_of(0.04, NAN));
     double t = 1e-6 / both.value[QUANTITY_SPOT_RADIUS];
@@ -283,7 +278,7 @@ TEST_CASE(platings)
                 1e-8 * (plating_factor(t, 1e-8, 1e-7) + plating_factor(t, 1e-8, 2e-8)) / 1.2e-7, 1e-14);
     assert_near(both.value[QUANTITY_JOINT_ECR], 2e-10 * both.value[QUANTITY_PLATING_FACTOR], 1e-15);
     joint.both_plated = false;
-    assert_near(apply(&joint, plating, point_of(0.04, NAN)).value[QUANTITY_PLATING_FACTOR],
+    assert_near(applied(&joint, plating, 0.04, NAN, QUANTITY_PLATING_FACTOR),
                 (1e-8 * plating_factor(t, 1e-8, 1e-7) + 2e-8) / 1.2e-7, 1e-14);
     struct contact_point dense = apply(&joint, plating, point_of(0.11, NAN));
     assert_true(isnan(dense.value[QUANTITY_PLATING_FACTOR]) && isnan(dense.value[QUANTITY_JOINT_ECR]));
@@ -306,11 +301,11 @@ TEST_CASE(heat)
     assert_near(hot.value[QUANTITY_VOLTAGE], 500 * 2e-10 / 2e-6, 1e-14);
     assert_near(pow(hot.value[QUANTITY_TEMPERATURE], 2), 300. * 300 + pow(0.05, 2) / (4 * heating_lorenz_number()),
                 1e-13);
-    assert_near(apply(&joint, heating | EFFECT_BIT(EFFECT_FILM), point_of(0.04, NAN)).value[QUANTITY_VOLTAGE],
+    assert_near(applied(&joint, heating | EFFECT_BIT(EFFECT_FILM), 0.04, NAN, QUANTITY_VOLTAGE),
                 500 * (2e-10 + 1e-12 / 0.04) / 2e-6, 1e-14);
     joint.temperature_K = 400;
-    assert_near(pow(apply(&joint, heating, point_of(0.04, NAN)).value[QUANTITY_TEMPERATURE], 2),
+    assert_near(pow(applied(&joint, heating, 0.04, NAN, QUANTITY_TEMPERATURE), 2),
                 400. * 400 + pow(0.05, 2) / (4 * heating_lorenz_number()), 1e-13);
     joint.current_A = 1e-12;
-    assert_near(apply(&joint, heating, point_of(0.04, NAN)).value[QUANTITY_TEMPERATURE], 400, 1e-15);
+    assert_near(applied(&joint, heating, 0.04, NAN, QUANTITY_TEMPERATURE), 400, 1e-15);
 }

@@ -8,8 +8,8 @@ TEST_CASE(matches_reference)
     struct table table = table_read("golden/models/layer.csv");
     for (size_t i = 0; i < table.rows; i++) {
         double ratio = table_number(&table, i, "rho_layer_over_substrate");
-        assert_near(plating_factor(table_number(&table, i, "thickness_over_a"), ratio, 1),
-                    table_number(&table, i, "R_over_layer_holm"), 1e-10);
+        assert_cell(plating_factor(table_number(&table, i, "thickness_over_a"), ratio, 1), table, i,
+                    "R_over_layer_holm", 1e-10);
     }
 }
 

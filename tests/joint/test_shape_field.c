@@ -38,8 +38,7 @@ TEST_CASE(test_a_grid_of_any_size_keeps_its_force)
         for (int how = 0; how < 8; how++) {
             const bool cells[2] = {how & 1, how & 2};
             const size_t *n = sizes[s];
-            double *room = calloc(n[0] * n[1] + n[0] + n[1], sizeof *room), force = 0, got = 0;
-            assert_non_null(room);
+            double *room = support_room((n[0] * n[1] + n[0] + n[1]) * sizeof *room), force = 0, got = 0;
             double *at[2] = {room + n[0] * n[1], room + n[0] * n[1] + n[0]};
             for (int side = 0; side < 2; side++)
                 for (size_t i = 0; i < n[side]; i++)
@@ -64,7 +63,6 @@ TEST_CASE(test_a_grid_of_any_size_keeps_its_force)
             assert_near(field.mean, force, 1e-12);
             assert_near(got, force, 1e-12);
             shape_field_free(&field);
-            free(room);
         }
 }
 

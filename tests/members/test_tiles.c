@@ -85,7 +85,7 @@ static void compare(double rms[3], const struct tiles *tiles, double hardness)
     rms[0] = rms[1] = rms[2] = 0;
     for (double share = 0.0021; share < 2; share *= 1.9) {
         double load = share * gradient;
-        struct direct_ladder_def ladder = {&load, 1, hardness, 1e-6, true, NULL};
+        struct direct_ladder_def ladder = {&load, 1, hardness, 1e-4, true, NULL};
         struct direct_point truth;
         struct transfer_point own;
         expect_ok(direct_ladder_run, &truth, &contact, &ladder);
@@ -128,13 +128,17 @@ TEST_CASE(a_map_is_its_direct_solution)
 {
     static double (*const looks[])(double) = {as_they_are, worn, pitted, two_levels, spiky};
     static const double hardness[] = {0.03, 0.3, 3};
+    double rms[2][3];
     for (size_t l = 0; l < sizeof looks / sizeof *looks; l++)
         for (size_t h = 0; h < 3; h++) {
+            if (l > 0 && h == 1 + l % 2) /* the other looks with two of them */
+                continue;
             struct tiles tiles = map_of(SIDE, SIDE, 3 + l, looks[l]);
-            double rms[2][3], own = hardness[h] * gradient_of(&tiles);
+            double own = hardness[h] * gradient_of(&tiles);
             expect_ok(tiles_solve, &tiles, own, &test_alone);
             assert_non_null(tiles.transfer);
-            compare(rms[0], &tiles, INFINITY);
+            if (h == 0) /* the hardness does not matter to it */
+                compare(rms[0], &tiles, INFINITY);
             compare(rms[1], &tiles, own);
             for (int kind = 0; kind < 2; kind++) {
                 assert_true(rms[kind][0] < 0.055 && rms[kind][1] < 0.06 && rms[kind][2] < 0.10);

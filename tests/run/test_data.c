@@ -2,7 +2,7 @@
 /* What data/ holds of many surfaces, and that the number of threads that wrote it does not show. */
 #include "run/pipeline.h"
 
-enum { POINTS = 256, MANY = 101 };
+enum { POINTS = 64, MANY = 101 };
 
 static void write_scene(const struct directory *place, const char *more)
 {
@@ -31,7 +31,7 @@ TEST_IN_DIRECTORY(of_many_surfaces_bins)
     struct table all = directory_table(place, "other/data/spectrum.csv");
     assert_int_equal(all.rows, MANY * POINTS / 2);
     assert_int_equal(all.columns, 4);
-    assert_int_equal(bins.rows, MANY * 19); /* of 22 tenths up to 128 harmonics, 1, 2 and 5 hold none */
+    assert_int_equal(bins.rows, MANY * 13); /* of 16 tenths up to 32 harmonics, 1, 2 and 5 hold none */
     size_t row = 0;
     for (size_t r = 0; r < bins.rows; r++) {
         size_t harmonics = (size_t)table_number(&bins, r, "harmonics");

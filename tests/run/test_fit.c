@@ -260,6 +260,7 @@ TEST_IN_PLACE(test_rows_of_a_map)
                 text_add(xyz, "%g,%g,%.9f\n", 0.5 * (double)x, 0.5 * (double)y, height_m[x] * 1e6);
         }
         directory_write(place, "map/a.csv", text_string(xyz));
+        directory_write(place, "map/scene.yaml", "models: [multiscale]\n");
         assert_int_equal(pipeline_run(place, "map", "map-out", 1), 0);
         assert_int_equal(number(place, "map-out", "a", "scans"), ROWS);
         independent[same] = number(place, "map-out", "a", "scans_independent");
@@ -280,8 +281,9 @@ TEST_IN_PLACE(test_the_counterface_is_in_the_law)
     gsl_rng_free(random);
     pipeline_scan(place, "pair/smooth.csv", height_m, POINTS);
     write_law(place, "pair/rough.csv", POINTS, 1, 0, 3);
-    directory_write(place, "pair/scene.yaml",
-                    "counterface: {surface: rough.csv}\nsurfaces: [{name: smooth, file: smooth.csv}]\n");
+    directory_write(
+        place, "pair/scene.yaml",
+        "models: [multiscale]\ncounterface: {surface: rough.csv}\nsurfaces: [{name: smooth, file: smooth.csv}]\n");
     assert_int_equal(pipeline_run(place, "pair", "pair-out", 1), 0);
     expect_class(place, "pair-out", "smooth", "law");
     expect_gamma_made(place, "pair-out", "smooth");
@@ -299,9 +301,11 @@ TEST_IN_PLACE(test_the_thesis_line_of_ten_scans)
         pipeline_synth(place, filled("thesis/a-%lu.csv", def.seed), &def);
     for (int ten = 0; ten < 2; ten++) {
         const char *out = ten ? "ten" : "one";
-        directory_write(place, "thesis/scene.yaml",
-                        filled("fit: thesis\nwindow: none\nlevel: mean\nsurfaces: [{name: a, file: \"%s\"}]\n",
-                               ten ? "a-*.csv" : "a-3.csv"));
+        directory_write(
+            place, "thesis/scene.yaml",
+            filled(
+                "models: [multiscale]\nfit: thesis\nwindow: none\nlevel: mean\nsurfaces: [{name: a, file: \"%s\"}]\n",
+                ten ? "a-*.csv" : "a-3.csv"));
         assert_int_equal(pipeline_run(place, "thesis", out, 1), 0);
         assert_near(number(place, out, "a", "alpha_SI"), alpha_made, 0.002);
         assert_within(number(place, out, "a", "gamma"), gamma_made, 2e-4);

@@ -131,7 +131,7 @@ TEST_IN_DIRECTORY(joints_of_a_map)
 {
     enum { MIDDLE = 4 };
     static const char with[] = "material: bronze\nnominal_area: 1 mm2\nload: {from: %s, to: %s, points: 9}\n"
-                               "gap: %s\n%s\nsurfaces: [" MAP("a") "]\n";
+                               "models: [direct]\ngap: %s\n%s\nsurfaces: [" MAP("a") "]\n";
     static const char *const gaps[] = {"{gas: air}", "{filler: silicone grease}", "{gas: vacuum}"};
     write_map(place, "in/a.csv", 1, 1);
     for (int k = 0; k < 3; k++) {

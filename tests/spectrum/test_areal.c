@@ -6,14 +6,10 @@
 enum { NX = 400, NY = 30 };
 static const double dx_m = 1e-6, amplitude_m = 5e-8;
 
-static int setup(void **state)
-{
-    *state = support_room(NX * NY * sizeof(double));
-    return *state ? 0 : -1;
-}
+static double z[NX * NY];
 
 /* Ten waves along x in every row, on a plane high up; `missing` of the points are not there. */
-static struct scan make_map(double *z, bool with_gaps)
+static struct scan make_map(bool with_gaps)
 {
     struct scan scan = {.kind = SCAN_AREAL, .nx = NX, .ny = NY, .dx_m = dx_m, .dy_m = 3e-6, .z_m = z};
     for (size_t i = 0; i < NX * NY; i++) {
@@ -37,11 +33,9 @@ static struct areal compute(const struct scan *scan)
     return areal;
 }
 
-#define PLACED(name) TEST_WITH(name, setup, NULL)
-
-PLACED(test_waves_on_a_plane)
+TEST_CASE(test_waves_on_a_plane)
 {
-    struct scan scan = make_map(*state, false);
+    struct scan scan = make_map(false);
     struct areal areal = compute(&scan);
     double k = 2 * M_PI * 10 / NX, slope = sin(k) / dx_m, curvature = (2 - 2 * cos(k)) / dx_m / dx_m;
     assert_near(areal.surface.sq_m, amplitude_m / sqrt(2), 1e-9);
@@ -58,9 +52,9 @@ PLACED(test_waves_on_a_plane)
 
 /* a cos(kx) cos(qy) of whole periods with the spacings 1 and 3 um, on a plane: Sq = a/2, Sa = a (2/pi)², Ssk 0, Sku
  * (3/2)², Sdq² = a²/4 (k'² + q'²), k' = sin(k dx)/dx as central differences have it; missing points move little. */
-PLACED(test_the_surface_over_its_plane)
+TEST_CASE(test_the_surface_over_its_plane)
 {
-    struct scan scan = make_map(*state, false);
+    struct scan scan = make_map(false);
     struct areal_parameters of;
     const double k = 2 * M_PI * 8 / NX, q = 2 * M_PI * 3 / NY;
     for (int gaps = 0; gaps < 2; gaps++) {
@@ -81,9 +75,9 @@ PLACED(test_the_surface_over_its_plane)
 }
 
 /* A hundredth and three points of every row missing: every figure stays within a few per cent. */
-PLACED(test_missing_points_are_left_out)
+TEST_CASE(test_missing_points_are_left_out)
 {
-    struct scan scan = make_map(*state, true);
+    struct scan scan = make_map(true);
     struct areal areal = compute(&scan);
     double k = 2 * M_PI * 10 / NX, slope = sin(k) / dx_m, curvature = (2 - 2 * cos(k)) / dx_m / dx_m;
     assert_near(areal.surface.sq_m, amplitude_m / sqrt(2), 0.02);
@@ -96,10 +90,9 @@ PLACED(test_missing_points_are_left_out)
 }
 
 /* Rows that are all missing or flat have no spectrum, and the others have theirs. */
-PLACED(test_rows_that_are_none)
+TEST_CASE(test_rows_that_are_none)
 {
-    double *z = *state;
-    struct scan scan = make_map(z, false);
+    struct scan scan = make_map(false);
     for (size_t i = 0; i < NX; i++) {
         z[i] = NAN;
         z[NX + i] = 0.07;
@@ -111,10 +104,9 @@ PLACED(test_rows_that_are_none)
     areal_free(&areal);
 }
 
-PLACED(test_maps_that_are_none)
+TEST_CASE(test_maps_that_are_none)
 {
-    double *z = *state;
-    struct scan scan = make_map(z, false);
+    struct scan scan = make_map(false);
     struct areal areal;
     for (size_t i = 0; i < NX * NY; i++)
         z[i] = NAN;

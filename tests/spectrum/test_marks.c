@@ -7,7 +7,6 @@
 #include "support.h"
 
 #include <gsl/gsl_randist.h>
-#include <gsl/gsl_rng.h>
 
 /* Profiles of Gaussian heights, of an amplitude (wavelength/10)^gamma between sharp ends, low-passed, with white noise;
  * or those of `synth`, whose amplitudes are log-normal. Lengths in points, heights in units of 0.1 um. */
@@ -106,7 +105,7 @@ TEST_CASE(test_no_lines_without_marks)
         {.gamma = 1.2, .synth = true, .low_pass = 20},
     };
     enum { KINDS = sizeof kinds / sizeof *kinds };
-    gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
+    gsl_rng *random = support_random();
     struct fft_room room;
     assert_true(fft_room_make(&room, CUT_FROM * LONG));
     size_t all[COUNTS] = {0};
@@ -119,7 +118,6 @@ TEST_CASE(test_no_lines_without_marks)
     for (int count = 0; count < COUNTS; count++)
         assert_true(50 * all[count] <= KINDS * sets_of[count]);
     fft_room_free(&room);
-    gsl_rng_free(random);
 }
 
 /* A turned surface: grooves of a feed, on roughness alone, filtered, or without long waves. Ten scans always tell, one
@@ -136,12 +134,11 @@ TEST_CASE(test_marks_of_a_turned_surface)
         {{.gamma = 1.2, .feed = 50, .depth = 200, .longest = 400}, {255, 190, 50, 5, 1}},
         {{.gamma = 1.5, .feed = 100, .depth = 2000, .low_pass = 12}, {110, 160, 50, 5, 1}},
     };
-    gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
+    gsl_rng *random = support_random();
     struct fft_room room;
     assert_true(fft_room_make(&room, CUT_FROM * LONG));
     for (size_t k = 0; k < sizeof turned / sizeof *turned; k++)
         for (int count = 0; count < COUNTS; count++)
             assert_true(sets_with_a_line(&turned[k].kind, count, &room, random) >= turned[k].least[count]);
     fft_room_free(&room);
-    gsl_rng_free(random);
 }

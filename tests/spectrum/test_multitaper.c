@@ -4,7 +4,6 @@
 
 #include <complex.h>
 #include <gsl/gsl_randist.h>
-#include <gsl/gsl_rng.h>
 
 /* The definition with its tapers, in long double. */
 static void by_definition(double *square_m2, const double *height_m, size_t points)
@@ -36,11 +35,10 @@ static void compute(double *square_m2, const double *height_m, size_t points)
 
 static void random_walk(double *height_m, size_t points, unsigned long seed)
 {
-    gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
+    gsl_rng *random = support_random();
     gsl_rng_set(random, seed);
     for (size_t i = 0; i < points; i++)
         height_m[i] = (i > 0 ? height_m[i - 1] : 0) + gsl_ran_gaussian(random, 1e-7);
-    gsl_rng_free(random);
 }
 
 TEST_CASE(test_reference_values)
@@ -93,7 +91,7 @@ TEST_CASE(test_white_noise)
 {
     enum { RECORDS = 2000, POINTS = 128 };
     double height_m[POINTS], square_m2[63], mean = 0, spread = 0;
-    gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
+    gsl_rng *random = support_random();
     for (int r = 0; r < RECORDS; r++) {
         for (size_t i = 0; i < POINTS; i++)
             height_m[i] = gsl_ran_gaussian(random, 1);
@@ -101,7 +99,6 @@ TEST_CASE(test_white_noise)
         mean += square_m2[29] * POINTS / 4 / RECORDS;
         spread += pow(square_m2[29] * POINTS / 4 - 1, 2) / RECORDS;
     }
-    gsl_rng_free(random);
     assert_within(mean, 1, 0.05); /* 5 sqrt(0.2/2000) */
     assert_within(spread, 0.2, 0.05);
 }

@@ -6,11 +6,12 @@
 
 enum { POINTS = 20000 };
 
-static double *room(void)
-{
-    double *z = support_room(POINTS * sizeof *z);
-    return z;
-}
+static double z[POINTS];
+
+struct expected {
+    const char *name;
+    double value, atol; /* atol of printed values: their last digit */
+};
 
 static void assert_value(const struct parameters *parameters, const char *name, double expected, double atol)
 {
@@ -20,45 +21,43 @@ static void assert_value(const struct parameters *parameters, const char *name, 
     assert_within(value, expected, atol);
 }
 
+/** Compares with rows {name, value, atol}, lengths in m. */
+#define assert_values(parameters, ...)                                                                                 \
+    do {                                                                                                               \
+        const struct expected rows[] = {__VA_ARGS__};                                                                  \
+        for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)                                                        \
+            assert_value((parameters), rows[i].name, rows[i].value, rows[i].atol);                                     \
+    } while (0)
+
 TEST_CASE(test_a_sine)
 {
-    double *z = room(), k = 2 * M_PI / 400; /* 50 waves of 100 um */
+    double k = 2 * M_PI / 400; /* 50 waves of 100 um */
     for (size_t i = 0; i < POINTS; i++)
         z[i] = 2e-6 * sin(k * ((double)i + 0.25));
     struct parameters p = parameters_compute('P', z, POINTS, 2.5e-7, 1);
-    assert_value(&p, "a", 4e-6 / M_PI, 1e-10);
-    assert_value(&p, "q", 2e-6 / sqrt(2), 1e-14);
-    assert_value(&p, "p", 2e-6, 1e-10);
-    assert_value(&p, "v", 2e-6, 1e-10);
-    assert_value(&p, "z", 4e-6, 1e-10);
-    assert_value(&p, "t", 4e-6, 1e-10);
-    assert_value(&p, "sk", 0, 1e-9);
-    assert_value(&p, "ku", 1.5, 1e-9);
-    assert_value(&p, "dq", 2e-6 * 2 * M_PI / 1e-4 / sqrt(2), 2e-5); /* six points of 20000 have no slope */
-    assert_value(&p, "sm", 1e-4, 1e-10);
+    assert_values(&p, {"a", 4e-6 / M_PI, 1e-10}, {"q", 2e-6 / sqrt(2), 1e-14}, {"p", 2e-6, 1e-10}, {"v", 2e-6, 1e-10},
+                  {"z", 4e-6, 1e-10}, {"t", 4e-6, 1e-10}, {"sk", 0, 1e-9}, {"ku", 1.5, 1e-9}, {"sm", 1e-4, 1e-10},
+                  {"dq", 2e-6 * 2 * M_PI / 1e-4 / sqrt(2), 2e-5}); /* six points of 20000 have no slope */
     assert_near(p.evaluation_length_m, 5e-3, 1e-12);
 }
 
 /* Quantiles of a Gaussian (Newton on erfc), in any order: skewness 0, kurtosis 3, Ra/Rq = sqrt(2/pi). */
 TEST_CASE(test_a_gaussian_has_a_kurtosis_of_3)
 {
-    double *z = room(), x = -4;
+    double x = -4;
     for (size_t i = 0; i < POINTS; i++) {
         for (int step = 0; step < 30; step++)
             x -= (0.5 * erfc(-x / sqrt(2)) - ((double)i + 0.5) / POINTS) * sqrt(2 * M_PI) * exp(x * x / 2);
         z[i] = 1e-6 * x;
     }
     struct parameters p = parameters_compute('P', z, POINTS, 1e-6, 1);
-    assert_value(&p, "ku", 3, 0.01);
-    assert_value(&p, "sk", 0, 1e-9);
-    assert_value(&p, "q", 1e-6, 1e-10);
-    assert_value(&p, "a", 1e-6 * sqrt(2 / M_PI), 1e-10);
+    assert_values(&p, {"ku", 3, 0.01}, {"sk", 0, 1e-9}, {"q", 1e-6, 1e-10}, {"a", 1e-6 * sqrt(2 / M_PI), 1e-10});
 }
 
 /* The 7-point formula is exact for polynomials up to the 6th power. */
 TEST_CASE(test_slope_formula)
 {
-    double z[40], sum = 0;
+    double sum = 0;
     for (size_t i = 0; i < 40; i++) {
         double x = (double)i * 0.05 - 1;
         z[i] = 1 + x * (2 + x * (-1 + x * (0.5 + x * (3 + x * (-2 + x)))));
@@ -74,24 +73,17 @@ TEST_CASE(test_slope_formula)
 /* Five parts with waves of 1, 2, 3, 4, 5 um: p, v, z, a, q are means, t is the tallest part's. */
 TEST_CASE(test_means_over_sampling_lengths)
 {
-    double *z = room();
     for (size_t i = 0; i < POINTS; i++)
         z[i] = (double)(i / (POINTS / 5) + 1) * 1e-6 * sin(2 * M_PI * ((double)i + 0.5) / 200);
     struct parameters p = parameters_compute('P', z, POINTS, 1e-6, 5);
-    assert_value(&p, "p", 3e-6, 1e-9);
-    assert_value(&p, "v", 3e-6, 1e-9);
-    assert_value(&p, "z", 6e-6, 1e-9);
-    assert_value(&p, "t", 10e-6, 2e-9);
-    assert_value(&p, "q", 3e-6 / sqrt(2), 1e-12);
-    assert_value(&p, "a", 6e-6 / M_PI, 1e-9);
-    assert_value(&p, "ku", 1.5, 1e-9);
+    assert_values(&p, {"p", 3e-6, 1e-9}, {"v", 3e-6, 1e-9}, {"z", 6e-6, 1e-9}, {"t", 10e-6, 2e-9},
+                  {"q", 3e-6 / sqrt(2), 1e-12}, {"a", 6e-6 / M_PI, 1e-9}, {"ku", 1.5, 1e-9});
     assert_int_equal(p.sampling_lengths, 5);
 }
 
 /* Ripples that cross the line are no elements; hills that stay under 10 % of the highest are none either. */
 TEST_CASE(test_profile_elements)
 {
-    double *z = room();
     for (size_t i = 0; i < POINTS; i++)
         z[i] = 1e-6 * (sin(2 * M_PI * (double)i / 1000) + 0.05 * sin(2 * M_PI * (double)i / 37));
     struct parameters p = parameters_compute('P', z, POINTS, 1e-6, 1);
@@ -113,7 +105,6 @@ TEST_CASE(test_sampling_lengths_that_fit)
     static const struct {
         size_t points, sampling_lengths, used;
     } rows[] = {{4000, 4, 4000}, {3999, 4, 3999}, {3900, 3, 3000}, {1000, 1, 1000}, {995, 1, 995}, {1999, 2, 1999}};
-    double *z = room();
     struct parameters p;
     for (size_t r = 0; r < sizeof rows / sizeof *rows; r++) {
         size_t n = rows[r].points, out = (n - rows[r].used) / 2;
@@ -139,7 +130,6 @@ TEST_CASE(test_the_filter_runs_in)
     } rows[] = {{5000, {0, 0}, 4, 500},          {4995, {0, 0}, 4, 500},    {4900, {0, 0}, 3, 950},
                 {5000, {0.5e-3, 0.5e-3}, 5, 0},  {5000, {2e-3, 0}, 4, 250}, {2000, {0, 0}, 1, 500},
                 {4800, {0.3e-3, 0.5e-3}, 4, 500}};
-    double *z = room();
     struct parameters p;
     for (size_t r = 0; r < sizeof rows / sizeof *rows; r++) {
         const size_t n = rows[r].points, end = rows[r].first + rows[r].sampling_lengths * 1000;
@@ -154,14 +144,12 @@ TEST_CASE(test_the_filter_runs_in)
     expect_fails(STATUS_SCAN, "half of one at either end", parameters_of_roughness, &p, z, 1900, 1e-6, 1e-3, none);
 }
 
-/* A real scan, its points from `first` for `points`, made ready. */
+/* The part of a real scan between two positions, as a profile. */
 static struct profile real_profile(const char *name, enum level level, double from_m, double to_m)
 {
-    char path[4096];
-    snprintf(path, sizeof path, "%s/%s", REAL_SCANS, name);
     struct scan scan, part;
     struct profile profile;
-    expect_ok(scan_read, &scan, path, &no_units);
+    expect_ok(scan_read, &scan, filled("%s/%s", REAL_SCANS, name), &no_units);
     size_t first = 0, end = scan.nx;
     while (scan.x_m && scan.x_m[first] < from_m)
         first++;
@@ -176,18 +164,12 @@ static struct profile real_profile(const char *name, enum level level, double fr
     return profile;
 }
 
-struct printed {
-    const char *name;
-    double value, digit; /* in um, and the last digit printed */
-};
-
-static void assert_printed(const struct parameters *parameters, const struct printed *printed, size_t count)
+/* Compares with values as printed, lengths in um. */
+static void assert_printed(const struct parameters *parameters, const struct expected *printed, size_t count)
 {
     for (size_t i = 0; i < count; i++) {
-        bool length =
-            strncmp(printed[i].name, "sk", 2) && strcmp(printed[i].name, "ku") && strcmp(printed[i].name, "dq");
-        double unit = length ? 1e-6 : 1;
-        assert_value(parameters, printed[i].name, printed[i].value * unit, 0.5000001 * printed[i].digit * unit);
+        double unit = strstr("sk ku dq", printed[i].name) && printed[i].name[1] ? 1 : 1e-6;
+        assert_value(parameters, printed[i].name, printed[i].value * unit, 0.5000001 * printed[i].atol * unit);
     }
 }
 
@@ -195,9 +177,9 @@ static void assert_printed(const struct parameters *parameters, const struct pri
 TEST_CASE(test_nist_edm)
 {
     NEED_REAL_SCANS();
-    static const struct printed printed[] = {{"a", .46434, 1e-5},   {"q", .55994, 1e-5}, {"sk", -.13265, 1e-5},
-                                             {"ku", 2.36461, 1e-5}, {"t", 2.8623, 1e-4}, {"p", 1.39459, 1e-5},
-                                             {"v", 1.4677, 1e-4},   {"dq", .10536, 1e-5}};
+    static const struct expected printed[] = {{"a", .46434, 1e-5},   {"q", .55994, 1e-5}, {"sk", -.13265, 1e-5},
+                                              {"ku", 2.36461, 1e-5}, {"t", 2.8623, 1e-4}, {"p", 1.39459, 1e-5},
+                                              {"v", 1.4677, 1e-4},   {"dq", .10536, 1e-5}};
     static const char *const files[] = {"nist_npl_edm.xml", "npl_edm.prf", "npl_edm.sdf", "npl_edm.smd"};
     for (size_t f = 0; f < 4; f++)
         for (int level = LEVEL_NONE; level <= LEVEL_LINE; level++) { /* it has no line to lose */
@@ -212,9 +194,9 @@ TEST_CASE(test_nist_edm)
 TEST_CASE(test_mitutoyo)
 {
     NEED_REAL_SCANS();
-    static const struct printed printed[] = {{"a", 3.308, 1e-3},  {"q", 3.959, 1e-3}, {"t", 22.233, 1e-3},
-                                             {"z", 18.485, 1e-3}, {"p", 8.244, 1e-3}, {"v", 10.240, 1e-3},
-                                             {"dq", 0.157, 1e-3}};
+    static const struct expected printed[] = {{"a", 3.308, 1e-3},  {"q", 3.959, 1e-3}, {"t", 22.233, 1e-3},
+                                              {"z", 18.485, 1e-3}, {"p", 8.244, 1e-3}, {"v", 10.240, 1e-3},
+                                              {"dq", 0.157, 1e-3}};
     struct profile profile = real_profile("mitutoyo_sj_2.csv", LEVEL_NONE, 0, 1);
     struct parameters p;
     expect_ok(parameters_of_roughness, &p, profile.height_m, profile.points, profile.spacing_m, 2.5e-3, NULL);
@@ -227,7 +209,7 @@ TEST_CASE(test_mitutoyo)
 TEST_CASE(test_dektak_window)
 {
     NEED_REAL_SCANS();
-    static const struct printed printed[] = {{"a", .00525, 1e-5}, {"q", .01143, 1e-5}};
+    static const struct expected printed[] = {{"a", .00525, 1e-5}, {"q", .01143, 1e-5}};
     struct profile profile = real_profile("dektak_stylus.csv", LEVEL_LINE, 467.95e-6, 733.05e-6);
     struct parameters p = parameters_compute('P', profile.height_m, profile.points, profile.spacing_m, 1);
     assert_printed(&p, printed, 2);

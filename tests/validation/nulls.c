@@ -62,13 +62,10 @@ static double *make_surface(const struct kind *kind, uint64_t seed)
 {
     struct direct_law rows = {1e-3, 1.2, cut_off_m, SIDE * spacing_m, kind->roll_off};
     struct direct_spectrum spectrum;
-    struct status status = {0};
     double *height_m = coverage_allocate((size_t)SIDE * SIDE, sizeof *height_m), square = 0, slopes = 0;
-    coverage_must(direct_spectrum_of_law(&spectrum, &rows, &status), &status);
-    coverage_must(direct_surface_make(height_m, SIDE,
-                                      &(struct direct_recipe){direct_spectrum_variance, &spectrum, NULL, 0},
-                                      1000 + seed, &status),
-                  &status);
+    expect_ok(direct_spectrum_of_law, &spectrum, &rows);
+    expect_ok(direct_surface_make, height_m, SIDE,
+              &(struct direct_recipe){direct_spectrum_variance, &spectrum, NULL, 0}, 1000 + seed);
     direct_spectrum_free(&spectrum);
     for (size_t i = 0; i < (size_t)SIDE * SIDE; i++)
         square += height_m[i] * height_m[i];
@@ -122,10 +119,9 @@ static void write_half(const struct directory *place, const char *name, const do
                                              SIDE / 8 + i % MAP]);
         text_add_bytes(&text, (const char *)&z, sizeof z);
     }
-    struct status status = {0};
     snprintf(file, sizeof file, "%s/map.gsf", name);
     directory_write(place, file, "");
-    coverage_must(text_write_file(directory_path(place, file), text.data, text.length, &status), &status);
+    expect_ok(text_write_file, directory_path(place, file), text.data, text.length);
     text_free(&text);
 }
 
@@ -168,41 +164,31 @@ static void compare(struct count *out, const struct surface_summary *first, cons
     }
 }
 
-/** The surfaces of a scene as the analysis leaves them. Owned: end_analysis(). */
-struct analysis {
-    struct scene scene;
-    struct surface_record *record;
-    size_t leading;
-};
-
-static void analyse(struct analysis *out, const struct directory *place)
+void analysis_make(struct analysis *out, const struct directory *place)
 {
-    struct plan plan;
-    struct status status = {0};
+    struct plan *plan = &out->plan;
     double *loads;
     size_t count, operating;
-    coverage_must(scene_read(&out->scene, place->path, NULL, &status), &status);
-    plan_make(&plan, &out->scene, NULL);
+    expect_ok(scene_read, &out->scene, place->path, NULL);
+    plan_make(plan, &out->scene, NULL);
     struct material_pair pair = scene_pair(&out->scene.surfaces[0].bodies);
-    coverage_must(scene_loads(&loads, &count, &operating, &out->scene, &pair, &status), &status);
-    plan.operating_place = operating + 1;
+    expect_ok(scene_loads, &loads, &count, &operating, &out->scene, &pair);
+    plan->operating_place = operating + 1;
     out->record = coverage_allocate(out->scene.surface_count, sizeof *out->record);
-    const struct surface_task task = {.scene = &out->scene, .plan = &plan, .loads = loads, .load_count = count};
+    const struct surface_task task = {.scene = &out->scene, .plan = plan, .loads = loads, .load_count = count};
     for (size_t k = 0; k < out->scene.surface_count; k++) {
-        coverage_must(surface_read(&out->record[k], &out->scene, &out->scene.surfaces[k], NULL, &status), &status);
-        if (!out->record[k].summary.usable)
-            coverage_must(STATUS_SCAN, &(struct status){.message = "a surface was refused"});
-        coverage_must(effects_bound(&out->record[k], &task, &status), &status);
+        expect_ok(surface_read, &out->record[k], &out->scene, &out->scene.surfaces[k], NULL);
+        assert_true(out->record[k].summary.usable);
+        expect_ok(effects_bound, &out->record[k], &task);
     }
-    effects_decide(&plan, &out->scene, out->record, out->scene.surface_count);
+    effects_decide(plan, &out->scene, out->record, out->scene.surface_count);
     for (size_t k = 0; k < out->scene.surface_count; k++)
-        coverage_must(surface_answers_find(&out->record[k], &task, &status), &status);
-    effects_fit_models(&plan, out->record, out->scene.surface_count);
-    out->leading = plan_leading_model(&plan);
+        expect_ok(surface_answers_find, &out->record[k], &task);
+    effects_fit_models(plan, out->record, out->scene.surface_count);
     free(loads);
 }
 
-static void end_analysis(struct analysis *analysis)
+void analysis_free(struct analysis *analysis)
 {
     for (size_t k = 0; k < analysis->scene.surface_count; k++)
         surface_record_free(&analysis->record[k]);
@@ -214,30 +200,30 @@ static void end_analysis(struct analysis *analysis)
 static void hold(struct count *out, const struct directory *place)
 {
     struct analysis analysis;
-    analyse(&analysis, place);
+    analysis_make(&analysis, place);
     size_t each = analysis.scene.surface_count / 2;
     for (size_t k = 0; k < each * each; k++)
-        compare(out, &analysis.record[k / each].summary, &analysis.record[each + k % each].summary, analysis.leading);
-    end_analysis(&analysis);
+        compare(out, &analysis.record[k / each].summary, &analysis.record[each + k % each].summary,
+                plan_leading_model(&analysis.plan));
+    analysis_free(&analysis);
 }
 
 /** Are any two of a family told apart, as a report ranks its surfaces? */
 static bool family_apart(const struct directory *place)
 {
     struct analysis analysis;
-    struct status status = {0};
     struct comparison ranking = {.count = MEMBERS};
     const struct estimate *estimates[MEMBERS];
     bool apart = false;
-    analyse(&analysis, place);
+    analysis_make(&analysis, place);
     for (size_t k = 0; k < MEMBERS; k++)
-        estimates[k] =
-            curve_summary_estimate(surface_model(&analysis.record[k].summary, analysis.leading), QUANTITY_ECR);
-    coverage_must(comparison_test(&ranking, estimates, &status), &status);
+        estimates[k] = curve_summary_estimate(
+            surface_model(&analysis.record[k].summary, plan_leading_model(&analysis.plan)), QUANTITY_ECR);
+    expect_ok(comparison_test, &ranking, estimates);
     for (size_t k = 0; k < MEMBERS * (MEMBERS - 1) / 2; k++)
         apart = apart || comparison_told_apart(&ranking.pairs[k]);
     comparison_free(&ranking);
-    end_analysis(&analysis);
+    analysis_free(&analysis);
     return apart;
 }
 

@@ -2,6 +2,7 @@
 /* The integrals of the statistical models by Simpson's rule, as the thesis takes them, and by the program's panels. */
 #include "contact/statistical.h"
 #include "statistics/coverage.h"
+#include "support.h"
 #include "validation/truths.h"
 #include <gsl/gsl_integration.h>
 
@@ -72,8 +73,7 @@ static double panels(struct integral *of, double tolerance, uint64_t *evaluation
     const struct quadrature_law law = {&model->asperity, model->law, model->surface.sigma_s_m, 0};
     struct quadrature laid;
     struct quadrature_sums sums;
-    struct status status = {0};
-    coverage_must(quadrature_make(&laid, &law, model->full_d, tolerance, &status), &status);
+    expect_ok(quadrature_make, &laid, &law, model->full_d, tolerance);
     *evaluations = laid.count;
     quadrature_sum(&sums, &laid, of->d);
     quadrature_free(&laid);
@@ -95,11 +95,10 @@ void quadrature_add(struct page *page)
     struct material_pair pair = material_pair(material_find("tin"), MATERIAL_COUNTERFACE_RIGID, NULL);
     struct asperities surface = truths_asperities(2);
     struct statistical models[ASPERITY_MODEL_COUNT];
-    struct status status = {0};
     uint64_t evaluations;
     const struct model_task task = {.asperities = &surface, .pair = &pair, .tolerance = 1e-10};
     for (int m = 0; m < ASPERITY_MODEL_COUNT; m++)
-        coverage_must(statistical_make(&models[m], &task, (enum asperity_model_id)m, INFINITY, &status), &status);
+        expect_ok(statistical_make, &models[m], &task, (enum asperity_model_id)m, INFINITY);
     page_rows(page, "quadrature");
     for (const struct row *row = rows; row < rows + sizeof rows / sizeof *rows; row++) {
         text_add(&page->text, "| %s | %g |", row->name, row->setting);

@@ -5,9 +5,8 @@
 #include "direct/direct_surface.h"
 #include "joint/shape.h"
 #include "statistics/coverage.h"
+#include "support.h"
 #include "validation/truths.h"
-#include <math.h>
-#include <stdlib.h>
 
 enum { SIDE = 512, CELLS = 64, NODES = 33, BULGES = 3, PRESSED = 4, SEEDS = 3 };
 static const double bulges[BULGES] = {2, 8, 30}; /* over the rms height, over the half side */
@@ -34,13 +33,10 @@ static double rms_slope(const double *height_m)
 static void solve(struct direct_point *out, const double *height_m, const double *load, size_t loads)
 {
     struct direct_contact contact;
-    struct status status = {0};
     const struct direct_ladder_def def = {
         .load = load, .loads = loads, .hardness = INFINITY, .tolerance = 1e-6, .resistance = true};
-    coverage_must(
-        direct_contact_make(&contact, height_m, &(struct direct_grid){SIDE, SIDE, 1. / SIDE, false, false}, &status),
-        &status);
-    coverage_must(direct_ladder_run(out, &contact, &def, &status), &status);
+    expect_ok(direct_contact_make, &contact, height_m, &(struct direct_grid){SIDE, SIDE, 1. / SIDE, false, false});
+    expect_ok(direct_ladder_run, out, &contact, &def);
     direct_contact_free(&contact);
 }
 
@@ -51,30 +47,26 @@ static double by_cells(const struct shape_curve *gap, const struct shape_curve *
     const double half[] = {0.5, 0.5};
     const struct shape_body bodies[2] = {{.resistivity = 1, .thickness_m = INFINITY}, {.thickness_m = INFINITY}};
     struct shape shape;
-    struct status status = {0};
     double gap_m[CELLS * CELLS], resistance, spots;
     for (int k = 0; k < CELLS * CELLS; k++)
         gap_m[k] = bulge_m * (pow((k % CELLS + 0.5) / CELLS, 2) + pow((k / CELLS + 0.5) / CELLS, 2));
-    coverage_must(shape_make(&shape, CELLS, CELLS, half, &status), &status);
-    coverage_must(shape_press(&shape, gap_m, gap, 1, load, &status), &status);
-    coverage_must(shape_resistance(&resistance, &spots, &shape, conductance, bodies, &status), &status);
+    expect_ok(shape_make, &shape, CELLS, CELLS, half);
+    expect_ok(shape_press, &shape, gap_m, gap, 1, load);
+    expect_ok(shape_resistance, &resistance, &spots, &shape, conductance, bodies);
     shape_free(&shape);
     return resistance / 4;
 }
 
 void shapes_add(struct page *page)
 {
-    double *rough_m = calloc(2 * SIDE * SIDE, sizeof *rough_m), *height_m = rough_m + SIDE * SIDE, sum = 0;
+    double *rough_m = coverage_allocate(2 * SIDE * SIDE, sizeof *rough_m), *height_m = rough_m + SIDE * SIDE, sum = 0;
     double truth[BULGES][PRESSED] = {{0}}, off[BULGES][PRESSED] = {{0}};
-    struct status status = {0};
-    coverage_must(rough_m ? STATUS_OK : STATUS_MEMORY, &status);
     for (int seed = 0; seed < SEEDS; seed++) {
         struct direct_point point[NODES], bulged[PRESSED];
         double load[NODES], gap_m[NODES], conductance[NODES];
         struct shape_curve gap, ways;
-        coverage_must(direct_surface_make(rough_m, SIDE, &(struct direct_recipe){variance, NULL, NULL, 0},
-                                          1 + (uint64_t)seed, &status),
-                      &status);
+        expect_ok(direct_surface_make, rough_m, SIDE, &(struct direct_recipe){variance, NULL, NULL, 0},
+                  1 + (uint64_t)seed);
         sum = 0;
         for (size_t k = 0; k < SIDE * SIDE; k++)
             sum += rough_m[k] * rough_m[k] / (SIDE * SIDE);
@@ -87,8 +79,8 @@ void shapes_add(struct page *page)
             gap_m[nodes] = direct_point_value(&point[nodes], DIRECT_GAP);
             conductance[nodes] = 1 / point[nodes].constriction_m;
         }
-        coverage_must(shape_curve_gap(&gap, load, gap_m, nodes, INFINITY, &status), &status);
-        coverage_must(shape_curve_conductance(&ways, load, conductance, nodes, &status), &status);
+        expect_ok(shape_curve_gap, &gap, load, gap_m, nodes, INFINITY);
+        expect_ok(shape_curve_conductance, &ways, load, conductance, nodes);
         for (int b = 0; b < BULGES; b++) {
             double mean[PRESSED], unused;
             for (size_t k = 0; k < SIDE * SIDE; k++) {

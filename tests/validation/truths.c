@@ -184,8 +184,7 @@ static void add_published(struct page *page)
     double sigma = sqrt(random_surface(&spectrum, 0.8, 8, 800, false)); /* of the whole surface */
     struct persson persson;
     struct corrected_persson_point point[2];
-    struct status status = {0};
-    coverage_must(persson_make(&persson, &spectrum, 0, &status), &status);
+    expect_ok(persson_make, &persson, &spectrum, 0);
     corrected_persson_curve(point, area, 2, &persson, true);
     const double mine[] = {point[0].separation_m / sigma, point[1].separation_m / sigma,
                            corrected_persson_load(area[1], persson.m2) / corrected_persson_load(area[0], persson.m2)};
@@ -204,11 +203,10 @@ static double beta_of(const struct roughness *roughness, enum asperity_model_id 
     struct material_pair pair = material_pair(material_find("tin"), MATERIAL_COUNTERFACE_RIGID, NULL);
     struct asperities asperities;
     struct statistical model;
-    struct status status = {0};
     const struct model_task task = {
         .asperities = &asperities, .pair = &pair, .wanted = QUANTITY_BIT(QUANTITY_SEPARATION), .tolerance = 1e-6};
-    coverage_must(roughness_asperities(&asperities, roughness, &status), &status);
-    coverage_must(statistical_make(&model, &task, law, INFINITY, &status), &status);
+    expect_ok(roughness_asperities, &asperities, roughness);
+    expect_ok(statistical_make, &model, &task, law, INFINITY);
     double beta = model.beta;
     statistical_free(&model);
     return beta;
@@ -232,10 +230,9 @@ static void read_remade(struct profile *out, int surface)
 {
     char path[4096];
     struct scan scan;
-    struct status status = {0};
     snprintf(path, sizeof path, "%s/surfaces/chapter6/surface-%d.csv", PROJECT_SOURCE, surface);
-    coverage_must(scan_read(&scan, path, &(struct scan_options){0}, &status), &status);
-    coverage_must(profile_make(out, &scan, 0, &(struct profile_options){.level = LEVEL_MEAN}, &status), &status);
+    expect_ok(scan_read, &scan, path, &(struct scan_options){0});
+    expect_ok(profile_make, out, &scan, 0, &(struct profile_options){.level = LEVEL_MEAN});
     scan_free(&scan);
 }
 
@@ -243,10 +240,9 @@ struct asperities truths_asperities(int surface)
 {
     struct profile profile;
     struct asperities asperities;
-    struct status status = {0};
     read_remade(&profile, surface);
     struct roughness roughness = roughness_of_heights(profile.height_m, profile.points, profile.spacing_m);
-    coverage_must(roughness_asperities(&asperities, &roughness, &status), &status);
+    expect_ok(roughness_asperities, &asperities, &roughness);
     profile_free(&profile);
     return asperities;
 }
@@ -256,11 +252,8 @@ static void remake(double out[REMADE], int surface)
 {
     struct profile profile;
     struct spectrum spectrum;
-    struct status status = {0};
     read_remade(&profile, surface);
-    coverage_must(
-        spectrum_compute(&spectrum, profile.height_m, profile.points, profile.spacing_m, SPECTRUM_WINDOW_NONE, &status),
-        &status);
+    expect_ok(spectrum_compute, &spectrum, profile.height_m, profile.points, profile.spacing_m, SPECTRUM_WINDOW_NONE);
     struct power_law law = power_law_fit(&spectrum, (double[]){8e-6, 2e-3});
     struct roughness roughness = roughness_of_heights(profile.height_m, profile.points, profile.spacing_m);
     const double found[REMADE] = {roughness.rq_m * 1e6,

@@ -26,24 +26,27 @@ static const double hursts[HURSTS] = {0.3, 0.6, 0.9}, hardnesses[HARDNESSES] = {
 static const double loads[LOADS] = {0.003, 0.01, 0.03, 0.06, 0.12, 0.2, 0.35, 0.6, 1}; /* P/(A_n E' g) */
 static const enum quantity asked[ASKED] = {QUANTITY_AREA, QUANTITY_SEPARATION, QUANTITY_ECR};
 
+#define PERSSON "models: [corrected-persson]\n"
+#define DIRECT  "direct: {grid: 256, seeds: 4, loads: [0.00015, 0.003, 0.0175]}\n"
+
 /** A set of surfaces and of line scans of them; the first five are columns of the page's tables. */
 static const struct part {
     const char *title;
     double roll_off;     /* waves of the longest length in a side */
     size_t rows, points; /* of the scans */
-    size_t laws,
-        each; /* surfaces of a law: Hurst exponents in turn, then other seeds; from the 13th on twice the waves */
-    size_t hardnesses;   /* 0: elastic */
-    const char *more;    /* of the scene */
-    size_t along;        /* scans of the columns beside those of the rows; every second surface has the two exchanged */
-    double ratio;        /* Peklenik's: waves are so many times as long along y as along x */
+    size_t laws;         /* laws of heights, from the first */
+    size_t each;       /* surfaces of a law: Hurst exponents in turn, then other seeds; from the 13th twice the waves */
+    size_t hardnesses; /* 0: elastic */
     const char *bounded; /* in the table of bounds; NULL: not there */
     double bound[ASKED]; /* of the rms over all */
+    size_t along;        /* scans of the columns beside those of the rows; every second surface has the two exchanged */
+    double ratio;        /* Peklenik's: waves are so many times as long along y as along x */
+    const char *more;    /* of the scene; NULL: nothing */
 } parts[] = {
-    {"5 scans, 4 waves", 4, 5, SIDE, LAWS, 3, 0, "", 0, 0, "leading answer, 5 scans, 4 waves", {0.30, 0.36, 0.42}},
-    {"1 scan, 4 waves", 4, 1, SIDE, LAWS, 3, 0, "", 0, 0, NULL, {0}},
-    {"5 scans, 2.5 waves", 4, 5, 150, LAWS, 3, 0, "", 0, 0, NULL, {0}},
-    {"5 scans, 0.6 waves", 1, 5, 150, LAWS, 3, 0, "", 0, 0, NULL, {0}},
+    {"5 scans, 4 waves", 4, 5, SIDE, LAWS, 3, 0, "leading answer, 5 scans, 4 waves", {0.30, 0.36, 0.42}, 0, 0, NULL},
+    {"1 scan, 4 waves", 4, 1, SIDE, LAWS, 3, 0, NULL, {0}, 0, 0, NULL},
+    {"5 scans, 2.5 waves", 4, 5, 150, LAWS, 3, 0, NULL, {0}, 0, 0, NULL},
+    {"5 scans, 0.6 waves", 1, 5, 150, LAWS, 3, 0, NULL, {0}, 0, 0, NULL},
     {"5 scans, 4 waves, hardness",
      4,
      5,
@@ -51,11 +54,11 @@ static const struct part {
      LAWS,
      4,
      HARDNESSES,
-     "",
-     0,
-     0,
      "the same with hardness",
-     {0.22, 0.50, 0.53}},
+     {0.22, 0.50, 0.53},
+     0,
+     0,
+     NULL},
     {"64 scans, 4 or 8 waves",
      4,
      64,
@@ -63,23 +66,10 @@ static const struct part {
      1,
      24,
      0,
-     "models: [corrected-persson]\n",
-     0,
-     0,
      "corrected-persson, 64 scans, 4 or 8 waves",
-     {0.068, 0.058, 0.086}},
-    {"5 scans, 4 waves, synthesis",
-     4,
-     5,
-     SIDE,
-     1,
-     6,
-     0,
-     "models: [corrected-persson]\ndirect: {grid: 256, seeds: 4, loads: [0.00015, 0.003, 0.0175]}\n",
-     0,
-     0,
-     NULL,
-     {0}},
+     {0.068, 0.058, 0.086},
+     .more = PERSSON},
+    {"5 scans, 4 waves, synthesis", 4, 5, SIDE, 1, 6, .more = PERSSON DIRECT},
     {"two directions, 4 + 4",
      4,
      4,
@@ -87,16 +77,16 @@ static const struct part {
      LAWS,
      2,
      0,
-     "",
+     "two directions, 4 + 4 scans, isotropic",
+     {0.22, 0.26, 0.34},
      4,
      1,
-     "two directions, 4 + 4 scans, isotropic",
-     {0.22, 0.26, 0.34}},
-    {"two directions, 4 + 4", 4, 4, SIDE, LAWS, 2, 0, "", 4, 3, "the same, Peklenik 3", {0.23, 0.29, 0.36}},
-    {"two directions, 4 + 4", 8, 4, SIDE, LAWS, 2, 0, "", 4, 10, "the same, Peklenik 10", {0.26, 0.35, 0.42}},
-    {"one direction, 8", 4, 8, SIDE, LAWS, 2, 0, "", 0, 1, NULL, {0}},
-    {"one direction, 8", 4, 8, SIDE, LAWS, 2, 0, "", 0, 3, NULL, {0}},
-    {"one direction, 8", 8, 8, SIDE, LAWS, 2, 0, "", 0, 10, NULL, {0}},
+     NULL},
+    {"two directions, 4 + 4", 4, 4, SIDE, LAWS, 2, 0, "the same, Peklenik 3", {0.23, 0.29, 0.36}, 4, 3, NULL},
+    {"two directions, 4 + 4", 8, 4, SIDE, LAWS, 2, 0, "the same, Peklenik 10", {0.26, 0.35, 0.42}, 4, 10, NULL},
+    {"one direction, 8", 4, 8, SIDE, LAWS, 2, .ratio = 1},
+    {"one direction, 8", 4, 8, SIDE, LAWS, 2, .ratio = 3},
+    {"one direction, 8", 8, 8, SIDE, LAWS, 2, .ratio = 10},
 };
 enum { HARD = 4, SPECTRUM, SYNTHESIS, TWO, ONE = TWO + 3, PARTS = ONE + 3 };
 
@@ -148,29 +138,23 @@ static void give_law(double *height_m, size_t law)
 /** A surface of rms gradient `gradient`, SIDE x SIDE; ratio 0: isotropic, of a given law of heights to the letter. */
 static double *make_surface(size_t law, double hurst, double roll_off, double ratio, uint64_t seed)
 {
-    double *height_m = coverage_allocate((size_t)SIDE * SIDE, sizeof *height_m),
-           *given = coverage_allocate(GIVEN, sizeof *given), m2 = 0;
+    double *height_m = coverage_allocate(GIVEN, sizeof *height_m), *given = coverage_allocate(GIVEN, sizeof *given);
+    double m2 = 0;
     struct direct_law rows = {1, hurst + 0.5, cut_off_m, SIDE * spacing_m, roll_off};
     struct direct_spectrum spectrum;
-    struct status status = {0};
     for (size_t m = 1; m <= direct_law_harmonics(&rows); m++)
         m2 += pow(2 * M_PI * (double)m / rows.length_m * direct_law_amplitude(&rows, m), 2) / 2;
     rows.alpha *= gradient / sqrt(2 * m2);
-    coverage_must(direct_spectrum_of_law(&spectrum, &rows, &status), &status);
+    expect_ok(direct_spectrum_of_law, &spectrum, &rows);
     for (size_t k = 0; k < GIVEN; k++)
         given[k] = height_laws[law].of(gsl_cdf_ugaussian_Pinv(((double)k + 0.5) / GIVEN));
+    const struct direct_recipe recipe = {direct_spectrum_variance, &spectrum, law == 0 ? NULL : given, GIVEN};
     if (ratio > 0) {
         make_lay(height_m, &spectrum, ratio, seed);
         give_law(height_m, law);
-        direct_spectrum_free(&spectrum);
-        free(given);
-        return height_m;
+    } else {
+        expect_ok(direct_surface_make, height_m, SIDE, &recipe, seed);
     }
-    coverage_must(direct_surface_make(
-                      height_m, SIDE,
-                      &(struct direct_recipe){direct_spectrum_variance, &spectrum, law == 0 ? NULL : given, GIVEN},
-                      seed, &status),
-                  &status);
     direct_spectrum_free(&spectrum);
     free(given);
     return height_m;
@@ -181,15 +165,12 @@ static void solve(struct direct_point *out, const double *height_m, double hardn
 {
     double own[LOADS];
     struct direct_contact contact;
-    struct status status = {0};
     for (size_t i = 0; i < LOADS; i++)
         own[i] = loads[i] * gradient;
     const struct direct_ladder_def def = {
         .load = own, .loads = LOADS, .hardness = hardness * gradient, .tolerance = 1e-6, .resistance = true};
-    coverage_must(
-        direct_contact_make(&contact, height_m, &(struct direct_grid){SIDE, SIDE, spacing_m, false, false}, &status),
-        &status);
-    coverage_must(direct_ladder_run(out, &contact, &def, &status), &status);
+    expect_ok(direct_contact_make, &contact, height_m, &(struct direct_grid){SIDE, SIDE, spacing_m, false, false});
+    expect_ok(direct_ladder_run, out, &contact, &def);
     direct_contact_free(&contact);
 }
 
@@ -222,7 +203,7 @@ static void write_scans(const struct directory *place, const double *height_m, c
     double hardness_Pa = 1e11 * gradient * (isinf(hardness) ? 10 : hardness);
     text_add(&scene, "material: {E: 100 GPa, nu: 0, Sy: %.17g, resistivity: %g ohm m, hardness: %.17g}\n",
              hardness_Pa / material_hardness_ratio, resistivity_ohm_m, hardness_Pa);
-    text_add(&scene, "%seffects: [separation, electrical, uncertainty%s%s]\n", part->more,
+    text_add(&scene, "%seffects: [separation, electrical, uncertainty%s%s]\n", part->more ? part->more : "",
              isinf(hardness) ? "" : ", plasticity", part == &parts[SYNTHESIS] ? ", direct" : "");
     text_add(&scene, "load: {values: [");
     for (size_t i = 0; i < LOADS; i++)
@@ -300,11 +281,9 @@ static void hold_synthesis(struct findings *findings, const struct surface_recor
                            const struct plan *plan, size_t law, const struct direct_point *truth)
 {
     struct direct_study study;
-    struct status status = {0};
     const struct direct_study_task task = {.surface = record, .asked = {.scene = scene, .plan = plan}};
-    coverage_must(record->summary.direct->possible ? STATUS_OK : STATUS_MODEL,
-                  &(struct status){.message = "no synthesis"});
-    coverage_must(direct_study_run(&study, &task, &status), &status);
+    assert_true(record->summary.direct->possible);
+    expect_ok(direct_study_run, &study, &task);
     for (size_t k = 0; k < study.plan.loads; k++)
         for (size_t i = 0; i < LOADS; i++)
             for (size_t a = 0; a < ASKED && fabs(study.plan.load[k] / (loads[i] * gradient) - 1) < 1e-9; a++) {
@@ -323,35 +302,18 @@ static void hold(struct findings *findings, const double *height_m, const struct
                  double hardness, bool turned, const struct direct_point *truth)
 {
     struct directory place = directory_make();
-    struct scene scene;
-    struct plan plan;
-    struct surface_record record = {0};
-    struct status status = {0};
-    double *own;
-    size_t count, operating;
+    struct analysis analysis;
     write_scans(&place, height_m, part, hardness, turned);
-    coverage_must(scene_read(&scene, place.path, NULL, &status), &status);
-    plan_make(&plan, &scene, NULL);
-    struct material_pair pair = scene_pair(&scene.surfaces[0].bodies);
-    coverage_must(scene_loads(&own, &count, &operating, &scene, &pair, &status), &status);
-    plan.operating_place = operating + 1;
-    const struct surface_task task = {.scene = &scene, .plan = &plan, .loads = own, .load_count = count};
-    coverage_must(surface_read(&record, &scene, &scene.surfaces[0], NULL, &status), &status);
-    if (!record.summary.usable)
-        coverage_must(STATUS_SCAN, &(struct status){.message = "a surface was refused"});
-    coverage_must(effects_bound(&record, &task, &status), &status);
-    effects_decide(&plan, &scene, &record, 1);
-    coverage_must(surface_answers_find(&record, &task, &status), &status);
-    effects_fit_models(&plan, &record, 1);
+    analysis_make(&analysis, &place);
+    const struct surface_record *record = &analysis.record[0];
     for (size_t m = 0; m < model_count; m++)
-        if (plan_runs_model(&plan, m) && (isinf(hardness) || model_rows[m]->plastic || !model_rows[m]->elastic))
-            hold_curve(findings, &record, m, m == plan_leading_model(&plan), law, truth);
+        if (plan_runs_model(&analysis.plan, m) &&
+            (isinf(hardness) || model_rows[m]->plastic || !model_rows[m]->elastic))
+            hold_curve(findings, record, m, m == plan_leading_model(&analysis.plan), law, truth);
     findings->surfaces++;
     if (part == &parts[SYNTHESIS])
-        hold_synthesis(findings, &record, &scene, &plan, law, truth);
-    surface_record_free(&record);
-    scene_free(&scene);
-    free(own);
+        hold_synthesis(findings, record, &analysis.scene, &analysis.plan, law, truth);
+    analysis_free(&analysis);
     directory_remove(&place);
 }
 
@@ -540,10 +502,9 @@ int main(int count, char **word)
 {
     struct findings findings[PARTS] = {0};
     struct text template = {0};
-    struct status status = {0};
     if (count != 2)
         return 2;
-    coverage_must(text_read_file(&template, PROJECT_SOURCE "/tests/validation/page.md", &status), &status);
+    expect_ok(text_read_file, &template, PROJECT_SOURCE "/tests/validation/page.md");
     struct page page = {.rest = template.data};
     truths_add(&page);
     quadrature_add(&page);
@@ -556,7 +517,7 @@ int main(int count, char **word)
     truths_add_coverage(&page);
     text_add(&page.text, "%s", page.rest);
     (void)remove(word[1]);
-    coverage_must(text_write_file(word[1], text_string(&page.text), page.text.length, &status), &status);
+    expect_ok(text_write_file, word[1], text_string(&page.text), page.text.length);
     for (size_t p = 0; p < PARTS; p++)
         free(findings[p].all);
     text_free(&page.text);
