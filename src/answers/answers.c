@@ -243,9 +243,10 @@ static enum status_code solve(struct answer *out, struct search *search)
     if (search->full_load <= out->load)
         search->point = (struct contact_point){.value[QUANTITY_AREA] = 1};
     out->held = joint_is_held(&search->point, &search->joint);
-    if (out->held && out->kind == ANSWER_NOT_REACHED && !flat_meets(search))
-        *out = (struct answer){
-            .kind = ANSWER_NONE, .load = NAN, .low = NAN, .high = NAN, .spots_per_m2 = NAN, .held = true};
+    if (out->held && out->kind == ANSWER_NOT_REACHED && !flat_meets(search)) {
+        *out = no_answer;
+        out->held = true;
+    }
     out->invalid = !curve_summary_point_is_valid(&search->point, search->row);
     out->above_hardness = !out->held && !search->row->plastic &&
                           material_pair_pressure(search->task.pair, out->load) >
@@ -456,7 +457,6 @@ void answers_check_limits(struct surface_record *record, const struct scene *sce
 void answers_note(struct text *out, const struct answer *answer, double nominal_area_m2, double load_scale,
                   const char *load_unit)
 {
-    const char *before = "";
     double spots = answer->spots_per_m2 * nominal_area_m2;
     if (answer->kind == ANSWER_NONE)
         text_add(out, "%s",
@@ -468,15 +468,14 @@ void answers_note(struct text *out, const struct answer *answer, double nominal_
                  *load_unit ? " " : "", load_unit);
     if (answer->full)
         text_add(out, "at full contact at the latest");
-    before = answer->kind == ANSWER_LOAD && !answer->full ? "" : "; ";
-    if (answer->invalid && answer->kind != ANSWER_NONE) {
-        text_add(out, "%sbeyond the model's validity", before);
-        before = "; ";
-    }
-    if (answer->above_hardness && answer->kind != ANSWER_NONE) {
-        text_add(out, "%sabove the hardness", before);
-        before = "; ";
-    }
+    const char *before = answer->kind == ANSWER_LOAD && !answer->full ? "" : "; ";
+    const char *const marks[] = {answer->invalid ? "beyond the model's validity" : NULL,
+                                 answer->above_hardness ? "above the hardness" : NULL};
+    for (int k = 0; k < 2 && answer->kind != ANSWER_NONE; k++)
+        if (marks[k]) {
+            text_add(out, "%s%s", before, marks[k]);
+            before = "; ";
+        }
     if (spots < answers_least_spots)
         text_add(out, "%stoo few spots for statistics (%.2g)", before, spots);
 }

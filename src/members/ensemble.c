@@ -355,8 +355,11 @@ void ensemble_hold(struct estimate estimates[QUANTITY_COUNT], const struct conta
 void ensemble_settle(struct estimate estimates[QUANTITY_COUNT], const struct contact_point *point,
                      const struct model_row *model, const struct joint_task *joint, struct scans_reach reach)
 {
-    double sd[QUANTITY_COUNT], pressure_Pa = material_pair_pressure(joint->pair, point->value[QUANTITY_LOAD]);
+    const double over_hardness =
+        material_pair_pressure(joint->pair, point->value[QUANTITY_LOAD]) / joint->pair->hardness_Pa;
+    double sd[QUANTITY_COUNT], bound[QUANTITY_COUNT][2];
     joint_model_sd(sd, point, model, joint, reach);
+    joint_bounds(bound, point, model, joint);
     for (int q = 0; q < QUANTITY_COUNT; q++) {
         estimates[q].model_sd = sd[q];
         if (quantity_rows[q].from && point->value[q] > 0)
@@ -364,15 +367,12 @@ void ensemble_settle(struct estimate estimates[QUANTITY_COUNT], const struct con
         else if (quantity_rows[q].from)
             estimates[q] = estimate_none;
     }
-    double bound[QUANTITY_COUNT][2];
-    joint_bounds(bound, point, model, joint);
     for (int q = 0; q < QUANTITY_COUNT; q++)
         memcpy(estimates[q].bound, bound[q], sizeof bound[q]);
     ensemble_hold(estimates, point, joint);
-    if (model_area_is_pressed(model, point, pressure_Pa / joint->pair->hardness_Pa))
+    if (model_area_is_pressed(model, point, over_hardness))
         estimates[QUANTITY_AREA].half_width = estimates[QUANTITY_AREA].next_half_width = NAN;
-    bool yields = (joint->effects & EFFECT_BIT(EFFECT_PLASTICITY)) &&
-                  model_is_overloaded(model, point, pressure_Pa / joint->pair->hardness_Pa);
+    bool yields = (joint->effects & EFFECT_BIT(EFFECT_PLASTICITY)) && model_is_overloaded(model, point, over_hardness);
     for (int q = 0; q < QUANTITY_COUNT && yields; q++)
         estimates[q].half_width = estimates[q].next_half_width = NAN;
 }

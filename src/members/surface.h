@@ -55,7 +55,6 @@ struct surface_summary {
     double strip_cost;              /* of its rows, joined and of each scan alone; 0: no model uses strips */
     uint64_t strip_transforms;      /* that solving its strips took */
     bool has_strips;                /* they are, or will be, solved */
-    bool strips_in_part;            /* of scans, not all, or not whole */
     size_t strip_unsolved[2];       /* loads of them that did not converge, scans that have no answer: left out */
     double tile_cost;               /* tiles_cost() of its map, 0: there is none, or no model uses it */
     uint64_t tile_transforms;       /* that solving it took */

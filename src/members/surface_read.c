@@ -345,7 +345,6 @@ static enum status_code conclude(struct surface_record *record, struct power_law
     if (counterface && wants_strips(scene) && counterface->strips.rows.rows == 0)
         note_add(&record->summary.notes, NULL, "note.unlike\ncounterface");
     record->summary.has_strips = record->strips.rows.rows > 0;
-    record->summary.strips_in_part = record->strips.in_part;
     record->summary.strip_cost = record->summary.has_strips ? cost_of_strips(record) : 0;
     if (counterface)
         tiles_pair(&record->tiles, &counterface->tiles);

@@ -110,18 +110,15 @@ struct pass {
     struct all_surfaces_stage stage;
 };
 
-/** Threads that each of so many surfaces has, where as many as there can be are under way. */
-static unsigned share_of(const struct threads *threads, size_t surfaces)
-{
-    return (unsigned)(threads_number(threads, SIZE_MAX) / threads_number(threads, surfaces));
-}
-
+/** What is asked of a surface; as many surfaces as possible run at once, and share the threads evenly. */
 static struct surface_task task_of(const struct pass *all, size_t index)
 {
-    struct surface_task out = results_task(&all->prepared->results, index);
+    const struct results *results = &all->prepared->results;
+    const struct threads *threads = &results->threads;
+    struct surface_task out = results_task(results, index);
     out.plan = all->plan;
-    out.threads = all->prepared->results.threads;
-    out.threads.jobs = share_of(&out.threads, all->prepared->results.surface_count);
+    out.threads = *threads;
+    out.threads.jobs = (unsigned)(threads_number(threads, SIZE_MAX) / threads_number(threads, results->surface_count));
     return out;
 }
 
@@ -277,11 +274,6 @@ static enum status_code check_both(const struct scene *scene, const struct scene
                        scene_words_show(surface->name).text);
 }
 
-static enum status_code check_same(bool same, struct status *status)
-{
-    return same ? STATUS_OK : status_fail(status, STATUS_SCENE, "both ECR and TCR are measured; take out one of them");
-}
-
 /** Before any model runs: is there nothing to correct in the files of what was measured? As the pair's modulus scales
  * loads alone, any does. */
 static enum status_code check_measured(const struct scene *scene, const struct plan *plan, struct status *status)
@@ -295,8 +287,9 @@ static enum status_code check_measured(const struct scene *scene, const struct p
         if (measured.given->files.count == 0)
             continue;
         first = first ? first : measured.given;
-        if (measured_read(&measured, scene, plan, &any, status) == STATUS_OK)
-            (void)check_same(first->quantity == measured.given->quantity, status);
+        if (measured_read(&measured, scene, plan, &any, status) == STATUS_OK &&
+            first->quantity != measured.given->quantity)
+            (void)!status_fail(status, STATUS_SCENE, "both ECR and TCR are measured; take out one of them");
         before += measured.count;
         measured_free(&measured);
         if (surface && status->code == STATUS_OK &&

@@ -5,8 +5,6 @@
 #include "scene/measured_file.h"
 #include <gsl/gsl_randist.h>
 
-static struct directory place;
-
 /* What the scene says of a file: quantity, units ("" for none), and the contact's area [m²], NaN for none. */
 struct said {
     enum scene_measured_quantity quantity;
@@ -19,12 +17,12 @@ static enum status_code read_csv(struct measured *out, const char *csv, const st
 {
     static char name[] = "ecr.csv", *names[] = {name};
     struct plan plan = {.running = EFFECT_BIT(EFFECT_ELECTRICAL) | EFFECT_BIT(EFFECT_THERMAL)};
-    struct scene scene = {.directory = place.path, .nominal_area_m2 = said->area_m2};
+    struct scene scene = {.directory = directory_here.path, .nominal_area_m2 = said->area_m2};
     scene.measured = (struct scene_measured){.files = {names, 1}, .quantity = said->quantity};
     snprintf(scene.measured.load_unit, UNIT_LENGTH, "%s", said->load_unit);
     snprintf(scene.measured.resistance_unit, UNIT_LENGTH, "%s", said->resistance_unit);
     const struct material_pair pair = {.effective_modulus_Pa = 1e10};
-    directory_write(&place, name, csv);
+    directory_write(&directory_here, name, csv);
     *status = (struct status){0};
     *out = (struct measured){.given = &scene.measured};
     return measured_read(out, &scene, &plan, &pair, status);
@@ -262,11 +260,11 @@ TEST_CASE(files_are_runs)
     struct measured measured;
     struct plan plan = {.running = EFFECT_BIT(EFFECT_ELECTRICAL)};
     struct status status = {0};
-    struct scene scene = {.directory = place.path, .nominal_area_m2 = 1e-6};
+    struct scene scene = {.directory = directory_here.path, .nominal_area_m2 = 1e-6};
     struct scene_measured given = {.files = {names, 2}};
     const struct material_pair pair = {.effective_modulus_Pa = 1e10};
-    directory_write(&place, names[0], "load (N),R (mOhm)\n1,9\n3,5\n2,6\n");
-    directory_write(&place, names[1], "R (Ohm),load (mN)\n4e-3,5000\n5e-3,4000\n7e-3,2000\n");
+    directory_write(&directory_here, names[0], "load (N),R (mOhm)\n1,9\n3,5\n2,6\n");
+    directory_write(&directory_here, names[1], "R (Ohm),load (mN)\n4e-3,5000\n5e-3,4000\n7e-3,2000\n");
     measured = (struct measured){.given = &given};
     expect_ok(measured_read, &measured, &scene, &plan, &pair);
     assert_int_equal(measured.count, 6);
@@ -524,18 +522,4 @@ TEST_CASE(models_answer_at_the_measured_loads)
     }
 }
 
-static int set_up(void **state)
-{
-    (void)state;
-    place = directory_make();
-    return 0;
-}
-
-static int tear_down(void **state)
-{
-    (void)state;
-    directory_remove(&place);
-    return 0;
-}
-
-TEST_GROUP(set_up, tear_down)
+TEST_GROUP(directory_setup, directory_teardown)

@@ -31,9 +31,8 @@ TEST_IN_DIRECTORY(each_surface_has_its_own_bodies)
     struct table all = directory_table(place, "all/data/contact.csv");
     size_t compared = 0;
     for (int s = 0; s < 3; s++) {
-        directory_write(place, "in/scene.yaml",
+        pipeline_report(place, "in", "alone",
                         filled(LOADS "%ssurfaces: [{name: %s, file: %s.csv}]\n", own[s], names[s], names[s]));
-        assert_int_equal(pipeline_run(place, "in", "alone", 1), 0);
         struct table alone = directory_table(place, "alone/data/contact.csv");
         size_t row = 0;
         for (size_t r = 0; r < alone.rows; r++, row++, compared++) {
@@ -89,10 +88,9 @@ TEST_CASE(the_softer_body)
 TEST_IN_DIRECTORY(loads_are_shown_as_given)
 {
     write_scans(place);
-    directory_write(place, "in/scene.yaml",
+    pipeline_report(place, "in", "out",
                     LOADS "effects: [plasticity, electrical]\nmaterial: tin\nsurfaces:\n  - {name: a, file: a.csv}\n"
                           "  - {name: b, file: b.csv, material: copper}\n");
-    assert_int_equal(pipeline_run(place, "in", "out", 1), 0);
     struct table contact = directory_table(place, "out/data/contact.csv");
     size_t at_12 = 0;
     for (size_t r = 0; r < contact.rows; r++)
@@ -125,8 +123,7 @@ TEST_IN_DIRECTORY(loads_are_shown_as_the_operating_load_is_given)
     static const char *const charts[] = {"answer", "area", "ecr", "separation-load"};
     pipeline_rough(place, "in/a.csv", 400, 1, 11);
     pipeline_rough(place, "in/b.csv", 400, 1, 12);
-    directory_write(place, "in/scene.yaml", scene);
-    assert_int_equal(pipeline_run(place, "in", "out", 1), 0);
+    pipeline_report(place, "in", "out", scene);
     expect_in_file(place, "out/report.md", "**At 200\u00a0cN the ");
     expect_in_file(place, "out/results.json", "\"operating_load_unit\": \"cN\"");
     for (size_t i = 0; i < sizeof charts / sizeof *charts; i++)
@@ -134,8 +131,7 @@ TEST_IN_DIRECTORY(loads_are_shown_as_the_operating_load_is_given)
     struct table contact = directory_table(place, "out/data/contact.csv");
     char *data = directory_read(place, "out/figures/area.csv");
     assert_near(strtod(strchr(data, '\n') + 1, NULL), 1e2 * 1e-6 * table_number(&contact, 0, "pressure_Pa"), 1e-9);
-    directory_write(place, "in/scene.yaml", filled("%sload: {from: 1e-5, to: 1e-2, points: 7}\n", scene));
-    assert_int_equal(pipeline_run(place, "in", "out", 1), 0);
+    pipeline_report(place, "in", "out", filled("%sload: {from: 1e-5, to: 1e-2, points: 7}\n", scene));
     expect_in_file(place, "out/figures/area.gp", "load P/(Aₙ E′)'");
 }
 
@@ -144,10 +140,8 @@ TEST_IN_DIRECTORY(without_a_material)
 {
     static const char loads[] = "load: {from: 1e-5, to: 1e-2, points: 5}\n";
     pipeline_rough(place, "in/a.csv", 400, 1, 5);
-    directory_write(place, "in/scene.yaml", loads);
-    assert_int_equal(pipeline_run(place, "in", "none", 1), 0);
-    directory_write(place, "in/scene.yaml", filled("material: copper\neffects: [separation]\n%s", loads));
-    assert_int_equal(pipeline_run(place, "in", "some", 1), 0);
+    pipeline_report(place, "in", "none", loads);
+    pipeline_report(place, "in", "some", filled("material: copper\neffects: [separation]\n%s", loads));
     struct table none = directory_table(place, "none/data/contact.csv"),
                  some = directory_table(place, "some/data/contact.csv");
     size_t compared = 0;
@@ -164,8 +158,8 @@ TEST_IN_DIRECTORY(without_a_material)
         }
     }
     assert_true(compared >= 15);
-    directory_write(place, "in/scene.yaml", "material: {E: 100 GPa, nu: 0.3}\nload: {values: [1e-4]}\n");
-    assert_int_equal(pipeline_run(place, "in", "soft", 1), 0); /* one without yield strength */
+    pipeline_report(place, "in", "soft",
+                    "material: {E: 100 GPa, nu: 0.3}\nload: {values: [1e-4]}\n"); /* one without yield strength */
     expect_in_file(place, "soft/report.md", " against a rigid flat.\n", " | 110 | – |\n");
     expect_not_in_file(place, "soft/report.md", "hardness  MPa", ", hardness");
     expect_in_file(place, "none/report.md", "P/(Aₙ\u00a0E′)");
@@ -213,8 +207,7 @@ TEST_IN_DIRECTORY(charts_stand_over_the_unit_of_their_axis)
     enum { POINTS = 400 };
     double x = 0, y = 0;
     pipeline_rough(place, "in/a.csv", POINTS, 1, 11);
-    directory_write(place, "in/scene.yaml", "models: [corrected-persson]\nlevel: none\n");
-    assert_int_equal(pipeline_run(place, "in", "out", 1), 0);
+    pipeline_report(place, "in", "out", "models: [corrected-persson]\nlevel: none\n");
     expect_in_file(place, "out/figures/surfaces.gp", "set xlabel 'position (mm)'", "set xlabel 'wavelength (µm)'");
     char *data = directory_read(place, "out/figures/surfaces.csv"), *scan = directory_read(place, "in/a.csv");
     const char *next = last_row(data, &x, &y);

@@ -8,7 +8,6 @@ static int place_setup(void **state)
 {
     static struct directory place;
     place = directory_make();
-    mkdir(directory_path(&place, "in"), 0777);
     pipeline_rough(&place, "in/a.csv", 160, 0.1, 1);
     pipeline_rough(&place, "in/b.csv", 160, 0.3, 2);
     directory_write(&place, "in/scene.yaml",
@@ -29,15 +28,12 @@ TEST_IN_PLACE(test_where_the_page_stands)
                                          "load: {from: 1e-7, to: 1e-2, points: 41}\nbaseline: c\n",
                                          "load: {values: [1e-9, 2e-9, 3e-9]}\n"};
     double stands[3];
-    mkdir(directory_path(place, "three"), 0777);
     pipeline_rough(place, "three/a.csv", 160, 0.3, 1);
     pipeline_rough(place, "three/b.csv", 160, 0.03, 2);
     pipeline_rough(place, "three/c.csv", 160, 1, 3);
     for (int k = 0; k < 3; k++) {
-        directory_write(place, "three/scene.yaml", filled("models: [corrected-persson]\n%s", scenes[k]));
-        assert_int_equal(pipeline_run(place, "three", "out", 1), 0);
-        const json_t *scene = json_object_get(directory_json(place, "out/results.json"), "scene");
-        stands[k] = json_number_value(json_object_get(scene, "operating_load_over_AnEp"));
+        pipeline_report(place, "three", "out", filled("models: [corrected-persson]\n%s", scenes[k]));
+        stands[k] = pipeline_number(place, "out", "scene/operating_load_over_AnEp");
         struct table contact = directory_table(place, "out/data/contact.csv");
         double first = NAN, last = NAN, nearest = INFINITY;
         for (int pass = 0; pass < 2; pass++)
@@ -63,14 +59,11 @@ TEST_IN_PLACE(test_the_best_and_the_worst_are_shown)
 {
     char best[8] = "", worst[8] = "";
     double ecr[2] = {INFINITY, 0};
-    mkdir(directory_path(place, "many"), 0777);
-    for (unsigned long i = 0; i < 11; i++) {
+    for (unsigned long i = 0; i < 11; i++)
         pipeline_rough(place, filled("many/s%lu.csv", i), 120, 0.1 * (double)(1 + i * 7 % 11), i + 1);
-    }
-    directory_write(place, "many/scene.yaml",
+    pipeline_report(place, "many", "out",
                     "models: [corrected-persson]\nmaterial: tin\neffects: [plasticity, electrical]\nbaseline: s5\n"
                     "load: {values: [1e-4]}\n");
-    assert_int_equal(pipeline_run(place, "many", "out", 1), 0);
     struct table contact = directory_table(place, "out/data/contact.csv");
     for (size_t row = 0; row < contact.rows; row++) {
         double own = table_number(&contact, row, "ecr_ohm_m2");
@@ -105,11 +98,9 @@ static size_t count_figures(const struct directory *place, const char *folder)
 /** The first page of a scene on the two surfaces, and what stands on no other. */
 static char *page_of(const struct directory *place, const char *scene)
 {
-    mkdir(directory_path(place, "pressed"), 0777);
     pipeline_rough(place, "pressed/a.csv", 160, 3, 1);
     pipeline_rough(place, "pressed/b.csv", 160, 5, 2);
-    directory_write(place, "pressed/scene.yaml", scene);
-    assert_int_equal(pipeline_run(place, "pressed", "out", 1), 0);
+    pipeline_report(place, "pressed", "out", scene);
     char *page = directory_read(place, "out/report.md"), *rest = strstr(page, "\n---\n");
     assert_non_null(rest);
     *rest = '\0';
@@ -145,7 +136,7 @@ TEST_IN_PLACE(test_area_that_is_load_over_hardness)
         if (!rows[k].pressed)
             expect_no_parts(text, "load over hardness");
         if (rows[k].pressed) {
-            struct table spread = table_read_path(directory_path(place, "out/data/spread.csv"));
+            struct table spread = directory_table(place, "out/data/spread.csv");
             size_t found = 0;
             for (size_t row = 0; row < spread.rows; row++)
                 if (strcmp(table_text(&spread, row, "quantity"), "area_ratio_at_middle_load_strip-plastic") == 0) {
@@ -179,14 +170,8 @@ TEST_IN_PLACE(test_order_by_roughness)
 /* Brief: the page up to the rule, byte by byte, its figure alone, and the same data. */
 TEST_IN_PLACE(test_brief)
 {
-    struct run_outcome outcome;
-    char target[4096];
-    snprintf(target, sizeof target, "%s", directory_path(place, "brief"));
     assert_int_equal(pipeline_run(place, "in", "out", 1), 0);
-    struct run_options options = {
-        .output = target, .templates = PROJECT_SOURCE "/templates", .no_cost = true, .brief = true, .jobs = 1};
-    expect_ok(pipeline_try, &outcome, place, "in", options);
-    run_outcome_free(&outcome);
+    pipeline_outcome(place, "in", "brief", (struct run_options){.brief = true});
     char *whole = directory_read(place, "out/report.md"), *brief = directory_read(place, "brief/report.md");
     const char *rule = strstr(whole, "\n---\n");
     assert_non_null(rule);
@@ -196,9 +181,8 @@ TEST_IN_PLACE(test_brief)
     assert_int_equal(count_figures(place, "brief/figures"), 2);
     assert_true(count_figures(place, "out/figures") > 5);
     static const char *const same[] = {"data/contact.csv", "data/sensitivity.csv", "data/spread.csv", "results.json"};
-    for (size_t i = 0; i < sizeof same / sizeof *same; i++) {
+    for (size_t i = 0; i < sizeof same / sizeof *same; i++)
         directory_expect_same(place, filled("out/%s", same[i]), filled("brief/%s", same[i]));
-    }
     char *page = directory_read(place, "brief/report.html");
     assert_non_null(strstr(page, "What to know"));
     assert_null(strstr(page, "<details class=\"folded\">"));

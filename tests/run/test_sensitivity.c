@@ -10,6 +10,7 @@
 
 enum { POINTS = 400, LOADS = 9 };
 static const double spacing_m = 5e-7;
+static const char *const columns[2][2] = {{"area_factor", "area_ratio"}, {"ecr_factor", "ecr_ohm_m2"}};
 
 /** A scan in all digits. */
 static void write_scan(const struct directory *place, const char *name, const double *height_m, size_t points)
@@ -31,17 +32,6 @@ static void write_scene(const struct directory *place, const char *in, const cha
                LOADS, more));
 }
 
-static int place_setup(void **state)
-{
-    static struct directory place;
-    static const char *const folders[] = {"in", "smooth", "first", "second", "harder", "wave", "whole"};
-    place = directory_make();
-    for (size_t i = 0; i < sizeof folders / sizeof *folders; i++)
-        mkdir(directory_path(&place, folders[i]), 0777);
-    *state = &place;
-    return 0;
-}
-
 static void level(double *height_m, size_t points)
 {
     struct levelling levelling;
@@ -51,7 +41,7 @@ static void level(double *height_m, size_t points)
 /** Value at the middle load of a model in a report of one surface; NaN: no row or an empty cell. */
 static double at_middle(const struct directory *place, const char *out, const char *model, const char *column)
 {
-    struct table table = table_read_path(directory_path(place, filled("%s/data/contact.csv", out)));
+    struct table table = directory_table(place, filled("%s/data/contact.csv", out));
     double value = NAN;
     size_t index = 0;
     for (size_t row = 0; row < table.rows; row++) {
@@ -100,12 +90,11 @@ TEST_IN_PLACE(factors_are_those_of_separate_reports)
         write_scene(place, folders[f], f < 4 ? METAL("1.4e7") : METAL("1.54e7"));
         assert_int_equal(pipeline_run(place, folders[f], out[f], 1), 0);
     }
-    struct table table = table_read_path(directory_path(place, "out-in/data/sensitivity.csv"));
+    struct table table = directory_table(place, "out-in/data/sensitivity.csv");
     assert_int_equal(table.columns, 5);
     size_t compared = 0;
     for (size_t row = 0; row < table.rows; row++) {
         const char *model = table_text(&table, row, "model"), *change = table_text(&table, row, "change");
-        static const char *const columns[2][2] = {{"area_factor", "area_ratio"}, {"ecr_factor", "ecr_ohm_m2"}};
         for (int c = 0; c < 2; c++) {
             double value[5];
             for (int f = 0; f < 5; f++)
@@ -134,15 +123,12 @@ TEST_IN_PLACE(factors_are_those_of_separate_reports)
 static void make_report(const struct directory *place, const char *in, const char *how, const double *height_m,
                         size_t points)
 {
-    char scene[400];
     write_scan(place, filled("%s/a.csv", in), height_m, points);
-    snprintf(
-        scene, sizeof scene,
-        "models: [multiscale, corrected-persson, cmy]\neffects: [plasticity, electrical]\n%s\nmoments: difference\n"
-        "load: {from: 1e-6, to: 1e-2, points: %d}\noperating_load: 1e-4\n" METAL("1.4e7"),
-        how, LOADS);
-    directory_write(place, filled("%s/scene.yaml", in), scene);
-    assert_int_equal(pipeline_run(place, in, filled("out-%s", in), 1), 0);
+    pipeline_report(
+        place, in, filled("out-%s", in),
+        filled("models: [multiscale, corrected-persson, cmy]\neffects: [plasticity, electrical]\n%s\n"
+               "moments: difference\nload: {from: 1e-6, to: 1e-2, points: %d}\noperating_load: 1e-4\n" METAL("1.4e7"),
+               how, LOADS));
 }
 
 /** A scan that closes on itself keeps its window and levelling when its cut-off is doubled, and is smoothed around its
@@ -173,11 +159,10 @@ TEST_IN_PLACE(a_scan_that_closes_stays_closed)
     make_report(place, "whole", "level: line\nwindow: hann", z, POINTS);
     make_report(place, "first", "level: line\nwindow: hann", z, POINTS / 2);
     make_report(place, "second", "level: line\nwindow: hann", z + POINTS / 2, POINTS / 2);
-    struct table table = table_read_path(directory_path(place, "out-in/data/sensitivity.csv"));
+    struct table table = directory_table(place, "out-in/data/sensitivity.csv");
     size_t compared = 0;
     for (size_t row = 0; row < table.rows; row++) {
         const char *model = table_text(&table, row, "model"), *change = table_text(&table, row, "change");
-        static const char *const columns[2][2] = {{"area_factor", "area_ratio"}, {"ecr_factor", "ecr_ohm_m2"}};
         for (int c = 0; c < 2; c++) {
             double is = at_middle(place, "out-in", model, columns[c][1]),
                    smoothed = at_middle(place, "out-smooth", model, columns[c][1]),
@@ -208,7 +193,7 @@ TEST_IN_PLACE(smooth_waves_do_not_change)
     write_scan(place, "wave/a.csv", z, POINTS);
     write_scene(place, "wave", "material: tin\n");
     assert_int_equal(pipeline_run(place, "wave", "out-wave", 1), 0);
-    struct table table = table_read_path(directory_path(place, "out-wave/data/sensitivity.csv"));
+    struct table table = directory_table(place, "out-wave/data/sensitivity.csv");
     size_t seen = 0;
     for (size_t row = 0; row < table.rows; row++) {
         const char *model = table_text(&table, row, "model");
@@ -232,7 +217,7 @@ TEST_IN_PLACE(a_short_scan_says_nothing)
         z[i] = 1e-7 * sin(2.4 * (double)i) + 3e-8 * cos(5.1 * (double)i);
     write_scan(place, "wave/a.csv", z, 15);
     assert_int_equal(pipeline_run(place, "wave", "out-wave", 1), 0);
-    struct table table = table_read_path(directory_path(place, "out-wave/data/sensitivity.csv"));
+    struct table table = directory_table(place, "out-wave/data/sensitivity.csv");
     assert_true(table.rows > 0);
     for (size_t row = 0; row < table.rows; row++)
         assert_string_equal(table_text(&table, row, "area_factor"), "");
@@ -240,4 +225,4 @@ TEST_IN_PLACE(a_short_scan_says_nothing)
     assert_null(strstr(view, "length_factor"));
 }
 
-TEST_GROUP(place_setup, directory_teardown)
+TEST_GROUP(directory_setup, directory_teardown)
