@@ -17,7 +17,7 @@ enum status_code repeats_add_scan(struct ensemble *set, const char *file, struct
     return STATUS_OK;
 }
 
-/** Evenly: STRIPS_PIECES of the rows, or all where they are no more. */
+/** Is the row one of STRIPS_PIECES evenly spaced ones? Of fewer rows all are. */
 static bool row_is_member(size_t row, size_t rows)
 {
     return (STRIPS_PIECES * (row + 1) + rows / 2) / rows > (STRIPS_PIECES * row + rows / 2) / rows;
@@ -41,7 +41,7 @@ enum status_code repeats_add(struct ensemble *set, size_t row, size_t rows, stru
     return STATUS_OK;
 }
 
-/** Adds subrecords of `points` of one scan to `cut`. */
+/** Adds one scan to `cut` as pieces of `points`. */
 static enum status_code cut_scan(struct ensemble *cut, const struct member *scan, size_t points,
                                  const struct scene *scene, struct status *status)
 {
