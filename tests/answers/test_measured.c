@@ -288,14 +288,15 @@ TEST_CASE(files_are_runs)
     expect_fails(STATUS_SCENE, "the effect thermal does not run", measured_read, &measured, &scene, &plan, &pair);
 }
 
-/** Answers of all models, none yet. */
+/** Answers of all models, none yet; good until the next call. */
 static struct measured_answers no_answers(const struct measured *measured)
 {
-    struct measured_answers answers = {.resistance = malloc(model_count * measured->count * sizeof(double))};
-    assert_non_null(answers.resistance);
-    for (size_t i = 0; i < model_count * measured->count; i++)
-        answers.resistance[i] = NAN;
-    return answers;
+    enum { MOST = 64 * 80 };
+    static double resistance[MOST];
+    assert_true(model_count * measured->count <= MOST);
+    for (size_t i = 0; i < MOST; i++)
+        resistance[i] = NAN;
+    return (struct measured_answers){.resistance = resistance};
 }
 
 /** Measurements that are a model's answers times a factor: the distance is its logarithm; what it does not answer is
@@ -315,7 +316,6 @@ TEST_CASE(distance_is_in_decades)
     assert_near(distance.rms_decades, log10(4), 1e-12);
     assert_near(distance.bias_decades, -log10(4), 1e-12);
     assert_true(isnan(measured_compare(&measured, &answers, 0).rms_decades));
-    measured_answers_free(&answers);
 }
 
 /** Runs of which the contact carries 0.6 of the conductance of model 1, off by what points and runs scatter; on the way
@@ -338,9 +338,7 @@ static struct estimate fit_made(size_t runs, double points_sd, double runs_sd, c
         }
     }
     expect_ok(measured_fit, &answers, &measured, 1);
-    const struct estimate fit = answers.fit;
-    measured_answers_free(&answers);
-    return fit;
+    return answers.fit;
 }
 
 /** The exponent of two runs of `points` loads over two decades whose conductance goes as P^power, power NaN: as the
@@ -361,9 +359,7 @@ static struct measured_exponent exponent_made(double power, size_t points, doubl
         ohm_m2[i] = (i < points ? 1e-8 : 3e-8) * exp(gsl_ran_gaussian(random, sd) - (isnan(power) ? curve : power * x));
     }
     expect_ok(measured_fit, &answers, &measured, 1);
-    const struct measured_exponent out = answers.exponent;
-    measured_answers_free(&answers);
-    return out;
+    return answers.exponent;
 }
 
 /** Parts that are not flat are said where the conductance grows more slowly than the model's by more than the error and
@@ -410,7 +406,6 @@ TEST_CASE(a_resistance_in_series_is_no_shape)
     expect_ok(measured_fit, &answers, &measured, 1);
     assert_true(answers.exponent.measured < 0.8);
     assert_false(answers.exponent.not_flat);
-    measured_answers_free(&answers);
 }
 
 /** Without scatter the factor itself, without a width; with it an interval that holds it 95 times of 100, also where
@@ -464,10 +459,8 @@ TEST_CASE(models_are_ranked)
     for (int i = 0; i < 3; i++) /* three of five, and those are met */
         answers.resistance[3 * POINTS + i] = resistances[i];
     assert_int_equal(measured_nearest(&measured, &answers), 3);
-    measured_answers_free(&answers);
     answers = no_answers(&measured);
     assert_int_equal(measured_nearest(&measured, &answers), model_count);
-    measured_answers_free(&answers);
 }
 
 /** Each model at the measured loads itself, between two loads of the run as far apart as its ends: what one alone says
@@ -501,9 +494,7 @@ TEST_CASE(models_answer_at_the_measured_loads)
                 double answer = answers.resistance[m * POINTS + (size_t)i];
                 struct contact_point points[2];
                 struct model_curve curve = {.points = points};
-                struct model_task alone = task;
-                alone.loads = &loads[i];
-                alone.load_count = 1;
+                const struct model_task alone = model_task_at(&task, &loads[i], 1);
                 if (!(models & MODEL_BIT(m)) || loads[i] < ends[0]) {
                     assert_true(isnan(answer));
                     continue;

@@ -320,8 +320,7 @@ FREED(a_curve_from_strips)
     assert_true(waves > 1 && waves < 2.5 && strips.rows.periodic);
     strips.rows.periodic = false; /* of these, strips are solved above */
     for (int map = 0; map < 2; map++) {
-        struct ensemble_result result = {.band = ensemble_band_make(loads, LOADS)};
-        assert_non_null(result.band);
+        struct ensemble_result result = {.band = test_owns(ensemble_band_make(loads, LOADS), free)};
         set.scan_count = map ? 1 : 3;
         curve = (struct model_curve){.points = points};
         expect_ok(ensemble_curve, &curve, &result, &set, model, &task);
@@ -357,7 +356,6 @@ FREED(a_curve_from_strips)
                     assert_near(result.estimates[q].model_sd, sd_of(model_sd(model, quantities[k], false), waves),
                                 1e-15);
             }
-        free(result.band);
     }
     assert_true(cut_off > 0);
 }

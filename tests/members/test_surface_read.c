@@ -30,11 +30,17 @@ static int make(void **state)
     return 0;
 }
 
+static void start_anew(void)
+{
+    surface_record_free(record);
+    power_law_scans_free(&scans);
+    *record = (struct surface_record){0};
+}
+
 static int end(void **state)
 {
     (void)state;
-    surface_record_free(record);
-    power_law_scans_free(&scans);
+    start_anew();
     directory_remove(&place);
     return 0;
 }
@@ -116,8 +122,6 @@ static bool has_note(const char *words)
     return strstr(all_notes(), words) != NULL;
 }
 
-/* ---------------------------------------------------------------- averages */
-
 #define PLACED(name) TEST_WITH(name, make, end)
 
 /* Powers and moments are averaged; the first scan stands for the rest. */
@@ -135,8 +139,6 @@ PLACED(test_the_mean_of_scans)
     assert_near(record->spectrum.amplitude_m[2], 1e-6 * sqrt(square), 2e-2); /* the step leaks a little */
     assert_near(s->roughness.m2, m2 * square, 2e-2);
 }
-
-/* ---------------------------------------------------------------- scans kept to run alone */
 
 /* Every one of the profiles, in their order and with its heights. */
 PLACED(test_which_scans_are_kept)
@@ -186,9 +188,7 @@ PLACED(test_which_rows_are_kept)
 {
     static const size_t rows[] = {5, 24, 25, 47, 200};
     for (int m = 0; m < 5; m++) {
-        surface_record_free(record);
-        power_law_scans_free(&scans);
-        *record = (struct surface_record){0};
+        start_anew();
         add_map(rows[m]);
         conclude();
         size_t kept = rows[m] < STRIPS_PIECES ? rows[m] : STRIPS_PIECES;
@@ -213,9 +213,7 @@ PLACED(test_one_scan_is_no_repeat)
         bool listed = tried & 1, brief = tried & 2, kept = listed && !brief;
         scene.effects = listed ? EFFECT_BIT(EFFECT_UNCERTAINTY) : 0;
         scene.fit = tried & 4 ? POWER_LAW_AUTO : POWER_LAW_THESIS;
-        surface_record_free(record);
-        *record = (struct surface_record){0};
-        power_law_scans_free(&scans);
+        start_anew();
         add_long_scan(brief ? SIMULATED_RECORD_LEAST_POINTS - 1 : POINTS, 1e-6, 0, 1);
         assert_int_equal(scans.scan_count, scene.fit == POWER_LAW_AUTO);
         conclude();
@@ -294,8 +292,6 @@ PLACED(test_scans_are_cut_to_the_shortest)
     assert_near(record->summary.repeats.rq_m.degrees, 2, 0);
 }
 
-/* ---------------------------------------------------------------- each scan's law */
-
 enum { LAWS = 3, LAW_POINTS = 1024 };
 static const double made_gamma[LAWS] = {1.2, 1.35, 1.5};
 
@@ -324,8 +320,7 @@ static void describe_laws(const size_t points[LAWS], const int order[LAWS])
         write_scan(names[i], height_m, points[i], 1);
         files[i] = names[order[i]];
     }
-    surface_record_free(record);
-    *record = (struct surface_record){0};
+    start_anew();
     expect_ok(surface_read, record, &scene, &surface, NULL);
     assert_true(record->summary.usable);
     record->summary.scene = NULL;
@@ -456,8 +451,6 @@ PLACED(test_the_order_of_the_files)
         spectrum_free(&spectrum);
     }
 }
-
-/* ---------------------------------------------------------------- counterface */
 
 /* Powers and moments of both bodies add, also of the scans run alone. */
 PLACED(test_a_rough_counterface)
