@@ -123,7 +123,7 @@ static enum status_code run_model(struct surface_record *record, size_t m, const
     if (curve->exists)
         curve_summary_make(model, curve, model_rows[m], record->summary.asperities.sigma_m,
                            task->loads[model_task_operating(task)]);
-    struct model_task middle = surface_middle_task(task);
+    struct model_task middle = model_task_at(task, &task->loads[model_task_operating(task)], 1);
     middle.flatter.strip = NULL; /* the variants are those of the steeper direction */
     if ((several && curve_summary_put_estimates(model, result.estimates, status) != STATUS_OK) ||
         sensitivity_run(&model->sensitivity, &record->variants, model_rows[m], &middle, status) != STATUS_OK)

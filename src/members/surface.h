@@ -149,9 +149,6 @@ struct model_task surface_model_task(const struct surface_record *record, const 
 struct joint_task surface_joint(const struct surface_record *record, const struct scene *scene, const struct plan *plan,
                                 const struct model_task *task);
 
-/** `task` at the operating load alone. */
-struct model_task surface_middle_task(const struct model_task *task);
-
 /** Sets r, the slope along the lay over that across it (not finite: not known), `from` scans "along", a "map", or the
  * scene ("given"). A note says so if the scans seem to run along the lay. */
 void surface_set_lay(struct surface_summary *summary, double lay, const char *from);

@@ -16,16 +16,6 @@ static bool wants_strips(const struct scene *scene)
     return scene->models & model_flagged(offsetof(struct model_row, uses_strip));
 }
 
-/** Repeats the notes on the scans of the counterface. */
-static void note_counterface(struct surface_summary *summary, const struct surface_summary *counterface)
-{
-    for (size_t i = 0; i < counterface->notes.count; i++) {
-        const struct note *note = &counterface->notes.notes[i];
-        if (note->subject || note->refused_scan)
-            note_add_counterface(&summary->notes, note);
-    }
-}
-
 enum status_code surface_read_counterface(struct surface_record *record, struct power_law_scans *scans,
                                           const struct surface_record *counterface, struct status *status)
 {
@@ -35,7 +25,11 @@ enum status_code surface_read_counterface(struct surface_record *record, struct 
     record->summary.between_m2 += counterface->summary.between_m2;
     note_add(&record->summary.notes, NULL, "note.pressed\nown %.4g\nother %.4g\nboth %.4g", own_rq_m * 1e6,
              counterface->summary.roughness.rq_m * 1e6, own->rq_m * 1e6);
-    note_counterface(&record->summary, &counterface->summary);
+    for (size_t i = 0; i < counterface->summary.notes.count; i++) {
+        const struct note *note = &counterface->summary.notes.notes[i];
+        if (note->subject || note->refused_scan)
+            note_add_counterface(&record->summary.notes, note);
+    }
     if (ensemble_pair(&record->ensemble, &counterface->ensemble, status) != STATUS_OK)
         return status->code;
     if (record->ensemble.count < 2)
@@ -332,45 +326,45 @@ static enum status_code conclude(struct surface_record *record, struct power_law
                                  const struct scene *scene, const struct surface_record *counterface,
                                  struct status *status)
 {
+    struct surface_summary *summary = &record->summary;
     if (counterface && (strips_pair(&record->strips, &record->ensemble, &counterface->strips, &counterface->ensemble,
                                     status) != STATUS_OK ||
                         surface_read_counterface(record, scans, counterface, status) != STATUS_OK))
         return status->code;
-    if (record->summary.scene != &scene->counterface_surface &&
+    if (summary->scene != &scene->counterface_surface &&
         (record->ensemble.scan_count > 1 || (counterface && !counterface->height_m))) {
         free(record->height_m); /* the scatter of several scans needs no simulated records */
         record->height_m = NULL;
-        record->summary.single_points = 0;
+        summary->single_points = 0;
     }
     if (counterface && wants_strips(scene) && counterface->strips.rows.rows == 0)
-        note_add(&record->summary.notes, NULL, "note.unlike\ncounterface");
-    record->summary.has_strips = record->strips.rows.rows > 0;
-    record->summary.strip_cost = record->summary.has_strips ? cost_of_strips(record) : 0;
+        note_add(&summary->notes, NULL, "note.unlike\ncounterface");
+    summary->has_strips = record->strips.rows.rows > 0;
+    summary->strip_cost = summary->has_strips ? cost_of_strips(record) : 0;
     if (counterface)
         tiles_pair(&record->tiles, &counterface->tiles);
-    bool capped = record->summary.pair.hardness_Pa > 0;
+    bool capped = summary->pair.hardness_Pa > 0;
     double most = scene->models_named ? INFINITY : tiles_budget / (double)scene->surface_count;
-    record->summary.has_tiles = tiles_fit(&record->tiles, capped, most);
-    record->summary.tile_cost = tiles_cost(&record->tiles, capped);
-    record->summary.squares = record->tiles.columns * record->tiles.rows;
-    record->summary.all_squares = record->tiles.all;
+    summary->has_tiles = tiles_fit(&record->tiles, capped, most);
+    summary->tile_cost = tiles_cost(&record->tiles, capped);
+    summary->squares = record->tiles.columns * record->tiles.rows;
+    summary->all_squares = record->tiles.all;
     if (describe(record, scans, scene, status) != STATUS_OK)
         return status->code;
-    record->ensemble.sigma_m = sqrt(record->summary.roughness.m0_m2);
-    if (repeats_compare(&record->summary.repeats, &record->ensemble, &record->spectrum, status) != STATUS_OK)
+    record->ensemble.sigma_m = sqrt(summary->roughness.m0_m2);
+    if (repeats_compare(&summary->repeats, &record->ensemble, &record->spectrum, status) != STATUS_OK)
         return status->code;
     bool found = scene->fit == POWER_LAW_AUTO && record->band->law >= POWER_LAW_BAND_NARROW;
     if (found && !counterface && fit_alone(record, scans, scene, status) != STATUS_OK)
         return status->code;
-    const struct roughness *roughness = &record->summary.roughness;
-    double kappa = surface_kappa(&record->summary);
-    if (!record->summary.has_map)
-        record->summary.measured = (struct areal_parameters){NAN, NAN, NAN, NAN, NAN, NAN};
-    record->summary.rough = (struct cmy){sqrt(roughness->rq_m * roughness->rq_m + record->summary.between_m2),
-                                         kappa * cmy_slope(roughness->m2)};
+    double kappa = surface_kappa(summary);
+    if (!summary->has_map)
+        summary->measured = (struct areal_parameters){NAN, NAN, NAN, NAN, NAN, NAN};
+    const double rq_m = summary->roughness.rq_m;
+    summary->rough = (struct cmy){sqrt(rq_m * rq_m + summary->between_m2), kappa * cmy_slope(summary->roughness.m2)};
     stretch(record, kappa);
     if (record->flatter) /* by sqrt((1 + 1/r²)/2), to the same mean-square gradient */
-        stretch(record->flatter, kappa / record->summary.lay);
+        stretch(record->flatter, kappa / summary->lay);
     return STATUS_OK;
 }
 

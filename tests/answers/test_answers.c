@@ -118,8 +118,8 @@ static double value_at(const struct model_task *task, const char *model, double 
     return curve.count > 0 ? points[0].value[quantity] : NAN;
 }
 
-/* A factor that was measured: the load where the model has that times the resistance asked for; of that model, and of
- * targets in that quantity, alone. */
+/* With a measured factor of 0.6 the load for a resistance is that at which the model has 0.6 times it. This holds only
+ * for the model and the quantity that were measured. */
 TEST_CASE(a_measured_factor_is_carried)
 {
     make(1);
@@ -136,7 +136,7 @@ TEST_CASE(a_measured_factor_is_carried)
     assert_near(answer(area, "cmy")->load, of_area, 0);
 }
 
-/* Force, spots and their size that bring tin's resistance, or its conductance, to a value. */
+/* Force and number of spots at which tin reaches a resistance or a conductance, against reference values. */
 TEST_CASE(the_reference_forces)
 {
     struct table table = table_read("golden/models/answers_tin_cmy.csv");
@@ -204,7 +204,7 @@ TEST_CASE(the_target_is_met)
     assert_true(met > 80);
 }
 
-/* What is met at the first load, what never is, and what a model does not have. */
+/* Targets met at the first load, met nowhere, and in a quantity that the model lacks. */
 TEST_CASE(no_load_within_the_list)
 {
     make(1);
@@ -227,7 +227,7 @@ TEST_CASE(no_load_within_the_list)
     assert_int_equal(answer(just, "gw")->kind, ANSWER_NOT_REACHED);
 }
 
-/* Loads of a curve that is known already are looked up on it: the same answers, also at its ends. */
+/* Looking up loads on a known curve gives the same answers as running the model, also at its ends. */
 TEST_CASE(known_loads)
 {
     make(1);
@@ -253,7 +253,7 @@ TEST_CASE(known_loads)
     }
 }
 
-/* The corrected theory ends at A/A_n = 0.97: what it has there is met within a hundredth of it, and no more. */
+/* The corrected theory ends at A/A_n = 0.97: a target counts as met there within one percent. */
 TEST_CASE(where_the_numbers_end)
 {
     make(1);
@@ -275,7 +275,7 @@ TEST_CASE(where_the_numbers_end)
     assert_near(answer(far, "corrected-persson")->load, exp(low), 1e-8);
 }
 
-/* Beyond a model's range of validity the load has its mark: just above A/A_n = 0.1 of GW, not just below. */
+/* Loads outside a model's range are marked: for GW just above A/A_n = 0.1, not just below. */
 TEST_CASE(the_mark)
 {
     make(1);
@@ -288,7 +288,7 @@ TEST_CASE(the_mark)
     assert_true(answer(above, "gw")->invalid);
 }
 
-/* Of several scans the geometric mean of their numbers is the target, also where one of them does not get there. */
+/* With several scans the geometric mean of their values meets the target, even if one scan alone does not reach it. */
 TEST_CASE(several_scans_meet_it_together)
 {
     make(SCANS);
@@ -338,9 +338,9 @@ static double spots_at(size_t scans, const char *model, double load)
     return sum;
 }
 
-/* Whoever counts them: the spots at the answer's load, not at the one that the counting model takes, and too few or not
- * by the same rule. The textbook counts where it is valid; else an elastic
- * model does not count those of a plastic one. */
+/* Whichever model counts them: spots are counted at the answer's load, not at the load that the counting model would
+ * need, and the same rule says whether they are too few. The textbook model counts where it is valid; otherwise an
+ * elastic model does not count for a plastic one. */
 TEST_CASE(spots_are_those_at_the_answers_load)
 {
     for (size_t scans = 1; scans <= SCANS; scans += SCANS - 1) {
@@ -372,7 +372,7 @@ TEST_CASE(spots_are_those_at_the_answers_load)
     }
 }
 
-/* A scan whose spots nobody knows is no scan without spots: the mean is of the others. */
+/* A scan whose spots are not known is left out of the mean, not counted as 0. */
 TEST_CASE(spots_of_a_scan_that_has_none_known_are_not_zero)
 {
     make(SCANS);
@@ -397,7 +397,7 @@ TEST_CASE(spots_of_a_scan_that_has_none_known_are_not_zero)
     assert_near(elastic->spots_per_m2, others, 1e-12);
 }
 
-/* The joint of a plated surface with a film, which it has no number of from A/A_n = 0.1 on. */
+/* A plated surface with a film; its resistance is not known from A/A_n = 0.1 on. */
 static void plate(void)
 {
     f.scene.joint = joint_default();
@@ -421,7 +421,7 @@ static void jg_loads(double *tenth, double *full, const struct model_task *task)
     *tenth = exp(low);
 }
 
-/* Nothing but the film resists where contact is full. */
+/* At full contact only the film has a resistance. */
 TEST_CASE(full_contact_meets_every_resistance_above_the_film)
 {
     make(1);
@@ -453,13 +453,13 @@ TEST_CASE(full_contact_meets_every_resistance_above_the_film)
     assert_near(answer(above, "jg")->load, end, 1e-6);
 }
 
-/* ln of a band's end over its curve: it widens with the load, straight in ln P. */
+/* ln of band end over curve; grows with load, linearly in ln P. */
 static double widening(double load)
 {
     return 0.2 + 0.02 * log(load / 1e-9);
 }
 
-/* One scan: where the ends of its band pass the target. */
+/* One scan: the interval ends where the ends of the band meet the target. */
 TEST_CASE(intervals_of_a_band)
 {
     make(1);
@@ -518,8 +518,8 @@ static size_t ask_joint(double value)
     return target;
 }
 
-/** Grease that is thicker than the gap carries all heat: no load gives more than k/t, any gives that; no spot is
- * counted, and limits are judged by it. */
+/** Grease thicker than the gap carries all heat: every load gives k/t and none gives more. No spots are counted, and
+ * limits are judged by k/t. */
 TEST_CASE(a_bond_line_thicker_than_the_gap)
 {
     static struct contact_point points[LOADS + 1];
@@ -557,8 +557,8 @@ TEST_CASE(a_bond_line_thicker_than_the_gap)
     }
 }
 
-/** Loads that the gap alone tells, below that at which it comes to the bond line, stay to the byte; beyond it more load
- * changes nothing. A bond line below all gaps changes nothing at all. */
+/** Below the load at which the gap closes to the bond line all answers stay the same to the byte; above it more load
+ * changes nothing. A bond line thinner than all gaps changes nothing at all. */
 TEST_CASE(a_bond_line_that_the_gap_comes_down_to)
 {
     static struct contact_point points[LOADS + 1];
@@ -625,7 +625,7 @@ TEST_CASE(limits)
     }
 }
 
-/* Where the leading model has no number at the operating load: full contact, or nothing. */
+/* Limits where the leading model has no value at the operating load: at full contact, or not known. */
 TEST_CASE(limits_without_a_number)
 {
     static struct contact_point points[LOADS + 1];

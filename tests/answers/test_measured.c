@@ -219,7 +219,7 @@ TEST_CASE(what_is_wrong_is_named)
     }
 }
 
-/* Whatever bytes stand in a file of no more bytes than those, it is read to finite numbers or refused. */
+/* Any bytes are either read to finite numbers or refused, and nothing behind their end is read. */
 TEST_CASE(any_bytes_are_read_or_refused)
 {
     static const char sample[] =
@@ -299,8 +299,8 @@ static struct measured_answers no_answers(const struct measured *measured)
     return (struct measured_answers){.resistance = resistance};
 }
 
-/** Measurements that are a model's answers times a factor: the distance is its logarithm; what it does not answer is
- * not compared. */
+/** Measurements that are a factor times a model's answers: the distance is the factor's logarithm. Loads without an
+ * answer are not compared. */
 TEST_CASE(distance_is_in_decades)
 {
     double loads[] = {1, 3e-5, 4e-4, 1e-7, 2e-6, 5e-5}, resistances[6]; /* in the order of a measurement */
@@ -362,9 +362,9 @@ static struct measured_exponent exponent_made(double power, size_t points, doubl
     return answers.exponent;
 }
 
-/** Parts that are not flat are said where the conductance grows more slowly than the model's by more than the error and
- * .08, and a resistance in series does not explain it: not of the model's own curve, of one that is as steep within the
- * error, of few or scattered points, nor of a steeper one. */
+/** "Not flat" is said if the conductance's exponent is below the model's by more than the error and 0.08, and no series
+ * resistance explains that: not for the model's own curve, one as steep within the error, few or scattered points, or a
+ * steeper curve. */
 TEST_CASE(parts_that_are_not_flat)
 {
     static const struct {
@@ -408,8 +408,8 @@ TEST_CASE(a_resistance_in_series_is_no_shape)
     assert_false(answers.exponent.not_flat);
 }
 
-/** Without scatter the factor itself, without a width; with it an interval that holds it 95 times of 100, also where
- * runs differ by far more than their points do. */
+/** Without scatter the factor comes back exactly, without an interval; with scatter the interval contains it in 95 % of
+ * cases, even if runs differ far more than the points of a run. */
 TEST_CASE(the_factor_comes_back)
 {
     enum { SETS = 1000 };
@@ -437,7 +437,7 @@ TEST_CASE(the_factor_comes_back)
     gsl_rng_free(random);
 }
 
-/** The nearest of the models that answer enough of the points: not the one that happens to meet a single one. */
+/** Only models that answer enough of the points can be the nearest, not one that happens to meet a single point. */
 TEST_CASE(models_are_ranked)
 {
     enum { MODELS = 4, POINTS = 5 }; /* that have a curve: the first in the table */
@@ -463,8 +463,8 @@ TEST_CASE(models_are_ranked)
     assert_int_equal(measured_nearest(&measured, &answers), model_count);
 }
 
-/** Each model at the measured loads itself, between two loads of the run as far apart as its ends: what one alone says
- * there, once a load; nothing beyond, and not a resistance of 0. */
+/** Models are run at the measured loads themselves, without interpolation; outside the scene's loads, and where the
+ * resistance is 0, there is no answer. */
 TEST_CASE(models_answer_at_the_measured_loads)
 {
     enum { HARMONICS = 40, POINTS = 6 };

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a curve is condensed to, on curves whose numbers follow from a formula. */
+/* The summary of curves whose values follow from a formula. */
 #include "members/curve_summary.h"
 #include "support.h"
 
@@ -42,7 +42,7 @@ TEST_CASE(test_the_slope_of_the_area)
     make(1);
     struct curve_summary s = summary_of();
     assert_near(s.area_slope, 0.9, 1e-9);
-    for (int i = 0; i < LOADS; i++) /* no part of the law from A/A_n = 0.1 on */
+    for (int i = 0; i < LOADS; i++) /* areas from A/A_n = 0.1 on are not used */
         if (points[i].value[QUANTITY_AREA] >= 0.1)
             points[i].value[QUANTITY_AREA] = 0.1 + 0.1 * points[i].value[QUANTITY_AREA];
     assert_near(summary_of().area_slope, 0.9, 1e-9);

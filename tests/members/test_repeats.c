@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What is known of a number from its value of every scan, piece or row. Student's quantiles from tables. */
+/* Mean and interval of a number from its values on scans, pieces or rows. Student's quantiles are from tables. */
 #include "contact/multiscale.h"
 #include "members/repeats.h"
 #include "statistics/interval.h"
@@ -93,7 +93,8 @@ static double half_width(double s, double own)
     return interval_quantile(0.95, pow(hypot(s, own) / s, 4)) * hypot(s, own);
 }
 
-/** Pieces of a scan count together, as much as they are many: ln 2 and the mean of ln 8, ln 32, weights 1 and 2. */
+/** Pieces of a scan are averaged first and weigh by their number: ln 2, and the mean of ln 8 and ln 32, weights 1
+ * and 2. */
 TEST_CASE(pieces)
 {
     static const size_t scan[] = {0, 1, 1};
@@ -107,7 +108,7 @@ TEST_CASE(pieces)
     assert_near(estimate.degrees, 1, 1e-15);
 }
 
-/** Rows of a map are not independent: their mean, and no interval. */
+/** Rows of a map are not independent: they have a mean, but no interval. */
 TEST_CASE(rows)
 {
     size_t scan[MOST] = {0};
@@ -121,8 +122,8 @@ TEST_CASE(rows)
     assert_true(isnan(estimate.s) && isnan(estimate_end(&estimate, 0)) && isnan(estimate_next_end(&estimate, 0)));
 }
 
-/** A value that is missing, or not positive where logarithms count, leaves nothing known; equal ones have no interval,
- * rather than one of no width. */
+/** A missing value, or one that has no logarithm, leaves nothing known. Equal values have no interval, rather than one
+ * of zero width. */
 TEST_CASE(nothing_known)
 {
     static const size_t scan[] = {0, 1};
@@ -147,8 +148,8 @@ TEST_CASE(nothing_known)
     assert_true(isfinite(estimate_end(&estimate, 1)) && isnan(estimate_next_end(&estimate, 1)));
 }
 
-/** The curve of a surface is the mean of its scans' own, not that of their mean spectrum: a scan in two pieces counts
- * twice, by the logarithms of area and of separation/sigma, each part's over its own. */
+/** The curve of a surface is the mean of its scans' curves, not the curve of their mean spectrum. A scan in two pieces
+ * counts twice; logarithms of area and of separation over each part's own sigma are averaged. */
 TEST_CASE(the_mean_of_curves)
 {
     static const size_t scan[] = {0, 1, 1};
@@ -216,7 +217,7 @@ TEST_CASE(the_mean_of_curves)
     assert_int_equal(result.left_out, 0);
 }
 
-/** The same part again and again has its own curve, and no intervals. */
+/** The mean of equal parts is their curve, without intervals. */
 TEST_CASE(the_mean_of_one_curve)
 {
     static const size_t scan[] = {0, 1, 2};
@@ -245,8 +246,7 @@ TEST_CASE(the_mean_of_one_curve)
         assert_true(isnan(result.band[0].mean[QUANTITY_AREA][side]));
 }
 
-/** Loads that one part does not reach are left out: it is in full contact; the last point is then the full contact of
- * all. */
+/** Loads above the first part's full contact are left out; the last point is the mean full contact. */
 TEST_CASE(the_end_of_curves)
 {
     enum { FINE = 60 };
@@ -302,7 +302,7 @@ static size_t assert_about(const double end[2], double value, double most)
     return 1;
 }
 
-/** Random surfaces of 2 to 5 scans, or of a map's rows, as unlike each other as scans never are, up to full contact. */
+/** Random surfaces of 2 to 5 scans, or rows of a map, that differ more than real scans do, up to full contact. */
 TEST_CASE(intervals_of_random_records)
 {
     enum { PARTS = 5, HARMONICS = 6, SETS = 60, MODELS = 5 };

@@ -12,7 +12,7 @@ static void write_scans(const struct directory *place)
 
 #define LOADS "nominal_area: 1 mm2\nload: {from: 0.1 N, to: 100 N, points: 7}\noperating_load: 12 N\n"
 
-/* Surfaces of three pairs of bodies under the same forces are what each is in a report of its own, digit by digit. */
+/* Three surfaces with different bodies in one report have the same digits as each in a report of its own. */
 TEST_IN_DIRECTORY(each_surface_has_its_own_bodies)
 {
     static const char *const own[] = {"material: tin\n", "material: copper\ncounterface: same\n",
@@ -45,7 +45,7 @@ TEST_IN_DIRECTORY(each_surface_has_its_own_bodies)
     assert_int_equal(compared, all.rows);
 }
 
-/* What a surface does not say itself is the scene's. */
+/* What a surface does not give is taken from the scene. */
 TEST_IN_DIRECTORY(bodies_are_completed)
 {
     const struct material *tin = material_find("tin"), *copper = material_find("copper");
@@ -71,7 +71,7 @@ TEST_IN_DIRECTORY(bodies_are_completed)
     scene_free(&scene);
 }
 
-/* The metal that softens first is that of the body that yields first; a rigid one does not. */
+/* The softer body is the one that yields first; a rigid one never does. */
 TEST_CASE(the_softer_body)
 {
     const struct scene_bodies hard = {.material = *material_find("copper"), .counterface = *material_find("tin")};
@@ -114,8 +114,7 @@ TEST_IN_DIRECTORY(loads_are_shown_as_given)
     }
 }
 
-/* An operating load in centinewtons, without loads: all charts stand over cN, and their data too; loads that the scene
- * gives as P/(A_n E') stay that. */
+/* An operating load in cN without `load`: charts and their data are over cN. Loads given as P/(A_n E') stay that. */
 TEST_IN_DIRECTORY(loads_are_shown_as_the_operating_load_is_given)
 {
     static const char scene[] = "effects: [plasticity, separation, electrical]\nmodels: [corrected-persson, cmy]\n"
@@ -135,7 +134,7 @@ TEST_IN_DIRECTORY(loads_are_shown_as_the_operating_load_is_given)
     expect_in_file(place, "out/figures/area.gp", "load P/(Aₙ E′)'");
 }
 
-/* What needs no material is what it is with any: loads are P/(A_n E'). */
+/* Without a material, area and separation at P/(A_n E') are those with any material. */
 TEST_IN_DIRECTORY(without_a_material)
 {
     static const char loads[] = "load: {from: 1e-5, to: 1e-2, points: 5}\n";
@@ -167,7 +166,7 @@ TEST_IN_DIRECTORY(without_a_material)
     expect_in_file(place, "none/results.json", "\"material\": null");
 }
 
-/* The thesis's length is one of phonons, and the report says so; the electrons' is far shorter in tin. */
+/* The thesis's mean free path is that of phonons, and the report says so; the electrons' is far shorter in tin. */
 TEST_IN_DIRECTORY(whose_mean_free_path)
 {
     static const char *const kinds[] = {"thesis", "electron"};
@@ -201,7 +200,7 @@ static const char *last_row(const char *at, double *x, double *y)
     return end + 3;
 }
 
-/* Under an axis in mm profiles stand in mm, and spectra, in the block behind, over µm. */
+/* The data of a chart are in the units of its axes: profiles in mm, and spectra, in the next block, in µm. */
 TEST_IN_DIRECTORY(charts_stand_over_the_unit_of_their_axis)
 {
     enum { POINTS = 400 };

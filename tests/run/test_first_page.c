@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The first page against the data of the same report, and the page by itself. */
+/* The first page, against the data of the same report. */
 #include "run/pipeline.h"
 
 #include <jansson.h>
@@ -20,8 +20,8 @@ static int place_setup(void **state)
 
 static const char leading[] = "corrected-persson-plastic";
 
-/* Where the scene does not say it stands at the load next to the geometric middle of those at which A/A_n is 0.1 to
- * 10 % on the baseline, by the leading model; beyond the direct solutions their nearest is what it speaks of. */
+/* Without an operating load the page uses the load nearest to the geometric middle of those at which A/A_n is 0.1 to
+ * 10 % on the baseline, by the leading model. */
 TEST_IN_PLACE(test_where_the_page_stands)
 {
     static const char *const scenes[] = {"load: {from: 1e-7, to: 1e-2, points: 41}\n",
@@ -49,12 +49,12 @@ TEST_IN_PLACE(test_where_the_page_stands)
                 double off = fabs(log(load / sqrt(first * last)));
                 nearest = pass == 1 && off < fabs(log(nearest / sqrt(first * last))) ? load : nearest;
             }
-        assert_near(stands[k], k == 2 ? 3e-9 : nearest, 1e-9); /* no area between: the one nearest to 1 % */
+        assert_near(stands[k], k == 2 ? 3e-9 : nearest, 1e-9); /* no such area: the load with the area nearest to 1 % */
     }
     assert_true(stands[1] > 1.5 * stands[0]);
 }
 
-/* Of more than eight surfaces the charts show eight: best, worst and baseline by name, the others as such. */
+/* Of more than eight surfaces the charts show eight: best, worst and baseline by name, the others as "others". */
 TEST_IN_PLACE(test_the_best_and_the_worst_are_shown)
 {
     char best[8] = "", worst[8] = "";
@@ -95,7 +95,7 @@ static size_t count_figures(const struct directory *place, const char *folder)
     return count;
 }
 
-/** The first page of a scene on the two surfaces, and what stands on no other. */
+/** The first page of the report of a scene on two surfaces. */
 static char *page_of(const struct directory *place, const char *scene)
 {
     pipeline_rough(place, "pressed/a.csv", 160, 3, 1);
@@ -107,7 +107,7 @@ static char *page_of(const struct directory *place, const char *scene)
     return page;
 }
 
-/* Area is P/H, load and hardness alone, or it is not: whatever scatters in the last digits. */
+/* The page says when the area is P/H, that is load over hardness alone; it then has no interval. */
 TEST_IN_PLACE(test_area_that_is_load_over_hardness)
 {
 #define AREA_ALONE "effects: [plasticity, uncertainty]\nmodels: [strip]\n"
@@ -150,8 +150,8 @@ TEST_IN_PLACE(test_area_that_is_load_over_hardness)
     }
 }
 
-/** What rises from the smoothest surface to the roughest is said of surfaces that differ in roughness; of scans of one
- * surface, whose Rq differs by chance, in none of these eight. */
+/** "Models differ on roughness" is said only of surfaces that differ in roughness, not of eight sets of equally rough
+ * ones, whose Rq differs by chance. */
 TEST_IN_PLACE(test_order_by_roughness)
 {
     directory_write(place, "same/scene.yaml",
@@ -167,7 +167,7 @@ TEST_IN_PLACE(test_order_by_roughness)
     }
 }
 
-/* Brief: the page up to the rule, byte by byte, its figure alone, and the same data. */
+/* --brief gives the first page to the byte, its figures only, and the same data. */
 TEST_IN_PLACE(test_brief)
 {
     assert_int_equal(pipeline_run(place, "in", "out", 1), 0);

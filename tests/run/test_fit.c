@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The power law, window and levelling that a run gives to periodic records and to records cut out of longer ones. */
+/* Power law, window and levelling of periodic records and of records cut out of longer ones. */
 #include "run/pipeline.h"
 
 #include <gsl/gsl_randist.h>
@@ -9,8 +9,8 @@
 enum { POINTS = 2048 };
 static const double gamma_made = 1.4, alpha_made = 0.05;
 
-/* A law without scatter of its own: Delta_n = alpha lambda^gamma at random phases, `longer` times as many points as are
- * written from the middle of it, so that only 1 closes on itself; tilted. */
+/* A law without scatter, Delta_n = alpha lambda^gamma at random phases, tilted: `points` of a record `longer` times as
+ * long, which are periodic only if that is 1. */
 static void write_law(const struct directory *place, const char *name, size_t points, size_t longer, double tilt,
                       unsigned long seed)
 {
@@ -30,7 +30,7 @@ static void write_law(const struct directory *place, const char *name, size_t po
     pipeline_scan(place, name, part_m, points);
 }
 
-/* What place/OUT/results.json says of a surface; NULL: nothing. */
+/* A value of a surface in place/OUT/results.json; NULL: none. */
 static const json_t *said(const struct directory *place, const char *out, const char *name, const char *key)
 {
     const json_t *surfaces = json_object_get(directory_json(place, filled("%s/results.json", out)), "surfaces");
@@ -59,8 +59,8 @@ static void expect_gamma_made(const struct directory *place, const char *out, co
     assert_within(number(place, out, name, "gamma"), gamma_made, 3 * number(place, out, name, "gamma_stderr"));
 }
 
-/* Both a periodic record and one cut out of a longer surface, tilted, give back what they were made with, within the
- * errors stated; the line through every harmonic of the unwindowed cut record does not. */
+/* Both a periodic record and a tilted one cut out of a longer surface give the law they were made with, within the
+ * stated errors. The line through every harmonic of the cut record without window does not. */
 TEST_CASE(test_the_law_made_is_found)
 {
     const struct directory *place = *state;
@@ -97,8 +97,8 @@ TEST_CASE(test_the_law_made_is_found)
     expect_in_file(place, "thesis-out/results.json", "\"method\": \"thesis\"");
 }
 
-/* A periodic record loses its mean alone, so that its amplitudes stay those it was made with; asked for by name, a line
- * is taken out. */
+/* Only the mean is removed from a periodic record, so that its amplitudes stay; a line is removed if the scene asks for
+ * it. */
 TEST_IN_PLACE(test_levelling_of_a_periodic_record)
 {
     double height_m[POINTS];
@@ -114,7 +114,7 @@ TEST_IN_PLACE(test_levelling_of_a_periodic_record)
                 1e-2); /* 1/2 - 12 (1/2pi)² */
 }
 
-/* The report says what each scan got. */
+/* The report says which scans had a window. */
 TEST_IN_PLACE(test_the_report_names_windows)
 {
     write_law(place, "three/a-1.csv", 512, 1, 0, 1);
@@ -127,7 +127,7 @@ TEST_IN_PLACE(test_the_report_names_windows)
     assert_true(number(place, "three-out", "a", "gamma_stderr") < 0.04); /* one alone: 0.044 */
 }
 
-/* A constant window: the windowed spectrum's power is the mean of many records', not forced to be this one's. */
+/* `window: hann`: amplitudes are scaled so that power is right on average over records, not for this record. */
 TEST_IN_PLACE(test_a_window_by_name)
 {
     double height_m[POINTS];
@@ -140,7 +140,7 @@ TEST_IN_PLACE(test_a_window_by_name)
     assert_near(table_number(&table, 30, "amplitude_m"), 1e-6 * sqrt(1.0 / 6), 1e-5);
 }
 
-/* What is no law is none, and neither stops a run nor goes into the convergence study. */
+/* Spectra that follow no power law have none; the run goes on, and they are not extrapolated. */
 TEST_IN_PLACE(test_no_law)
 {
     double height_m[POINTS];
@@ -179,7 +179,7 @@ TEST_IN_PLACE(test_no_law)
     assert_string_equal(table_text(&table, 0, "fit_m"), "");
 }
 
-/* A band of under a decade is printed and marked, and carried on nowhere. */
+/* A law over less than a decade is printed, marked as narrow, and not extrapolated. */
 TEST_IN_PLACE(test_a_narrow_law)
 {
     write_law(place, "narrow/a.csv", POINTS, 1, 0, 5);
@@ -194,8 +194,8 @@ TEST_IN_PLACE(test_a_narrow_law)
     expect_in_file(place, "narrow-out/report.md", " (narrow) | ", "No power law of a decade was found on 2 surfaces.");
 }
 
-/* Heights to the picometre of a law that an instrument has cut at 8 um: what is left below is the file's last digit.
- * The spectrum is carried on from 8 um where the scene says so; where it does not, the filter's flank tells nothing. */
+/* Heights to the picometre of a law that an instrument has cut off at 8 um, so that shorter waves are rounding only.
+ * The spectrum is extrapolated from 8 um if the scene says so; otherwise the filter's flank is not used. */
 TEST_IN_PLACE(test_what_lies_below_a_cut_off)
 {
     static const char scene[] = "material: tin\nmodels: [multiscale]\neffects: [convergence]\nfit: thesis\n"
@@ -225,7 +225,7 @@ TEST_IN_PLACE(test_what_lies_below_a_cut_off)
     assert_true(strtod(found + strlen("would take at most "), NULL) > 1);
 }
 
-/* Rows of a map: copies of one row say nothing more than it does; the errors must not shrink with their number. */
+/* Copies of one row in a map add nothing: the errors must not shrink with their number. */
 TEST_IN_PLACE(test_rows_of_a_map)
 {
     enum { ROWS = 40, ROW = 256 };
@@ -269,7 +269,7 @@ TEST_IN_PLACE(test_the_counterface_is_in_the_law)
     expect_gamma_made(place, "pair-out", "smooth");
 }
 
-/* The thesis's line gives the law of the scans, whether one is there or ten: none of its numbers hangs on how many. */
+/* The thesis's line gives the same law for one scan and for ten. */
 TEST_IN_PLACE(test_the_thesis_line_of_ten_scans)
 {
     struct synth_def def = synth_def_default();
@@ -291,8 +291,8 @@ TEST_IN_PLACE(test_the_thesis_line_of_ten_scans)
     assert_within(number(place, "one", "a", "fit_misfit_decades"), def.scatter_decades, 1e-3);
 }
 
-/* The thesis's four surfaces, with nothing said of their instrument: gamma within two of its errors, and these of use.
- */
+/* The thesis's four surfaces without a given cut-off: gamma is right within two of its errors, which are small enough
+ * to be useful. */
 TEST_IN_PLACE(test_scattered_amplitudes_still_have_a_line)
 {
     static const double gamma[] = {1.6, 1.5, 1.4, 1.0};

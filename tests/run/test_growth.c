@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* How much a whole report computes, counted where it is computed, grows no faster than what it is of: captions and
- * tables ask what the models have kept, and solve nothing again. */
+/* The work of a whole report, counted in evaluations, grows no faster than points and loads: captions and tables use
+ * what the models have computed, and solve nothing again. */
 #include "hard_case.h"
 #include "pipeline.h"
 
@@ -20,8 +20,7 @@ void __wrap_sinusoid_press(struct sinusoid_cell *out, const struct sinusoid_scal
     __real_sinusoid_press(out, scale, closure, pressure_Pa, with_gap);
 }
 
-/** Presses that a report takes on one tin surface of a law so flat that its stack is visited far down, whose curves
- * have a kink. */
+/** Evaluations for a report on one tin surface with much roughness at short waves, whose curves have a kink. */
 static double presses_of(size_t points, size_t loads)
 {
     struct directory place = directory_make();

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Gas in the gaps, films, platings and heating through the whole program: every number of the section and of its
- * columns from what else is in data/. */
+/* Gas, films, platings, heating and shape through the whole program: every number recomputed from others in data/. */
 #include "base/number_format.h"
 #include "contact/cmy.h"
 #include "joint/gas.h"
@@ -50,7 +49,7 @@ static double number(const struct table *table, size_t row, const char *column)
     return *table_text(table, row, column) ? table_number(table, row, column) : NAN;
 }
 
-/** As its rows are: equal where both are numbers, else neither is one. */
+/** Both are equal numbers, or neither is a number. */
 static void expect(double actual, double expected)
 {
     if (isnan(actual) != !isfinite(expected))
@@ -106,7 +105,7 @@ TEST_IN_PLACE(columns_follow_from_the_others)
                    "\"temperature_K\": 320", "\"plated_sides\": 1", "\"current_A\": 20", "\"joint_ecr_ohm_m2\": [");
 }
 
-/** Off: no column, chart, section, word; a key alone brings its own. */
+/** Without keys of the joint there is no column, chart or section; each key brings only its own. */
 TEST_IN_PLACE(nothing_that_is_not_called_for)
 {
     char *report = report_of(place, "");
@@ -139,7 +138,7 @@ TEST_IN_PLACE(nothing_that_is_not_called_for)
         assert_string_equal(table_text(&with, i, "ecr_ohm_m2"), table_text(&without, i, "ecr_ohm_m2"));
 }
 
-/** What results.json knows of a quantity of a surface by the leading model where the summary stands. */
+/** A surface's quantity in results.json, by the leading model at the operating load. */
 static const json_t *known(const json_t *results, size_t surface, const char *quantity)
 {
     const char *leading = json_string_value(json_object_get(results, "leading"));
@@ -163,9 +162,8 @@ static json_t *results_of(const struct directory *place, const char *scene)
     return directory_json(place, "out/results.json");
 }
 
-/* The scatter of what the joint is made of is its own: where the film is all, the area's; where there is none, that of
- * the resistance; where a bond line is thick, none; in vacuum that of TCR. Of one scan, and of three; by a model that
- * has an error of its own, and by one that has none. */
+/* The joint's interval comes from what dominates it: with a thick film that of the area; without film that of the
+ * resistance; in vacuum that of TCR; with a thick bond line none. For one scan and for three, by two models. */
 TEST_IN_PLACE(intervals_hold_all_that_scatters)
 {
     static const char *const models[] = {"strip", "corrected-persson"};
@@ -204,8 +202,7 @@ TEST_IN_PLACE(intervals_hold_all_that_scatters)
     }
 }
 
-/* Where film and constriction are as large, neither the one's nor the other's scatter is it: by scans, whose areas and
- * resistances scatter together. A limit goes by the very interval of the page and of results.json. */
+/* With film and constriction equally large, limits use the same interval as the page and results.json. */
 TEST_IN_PLACE(limits_go_by_the_interval_of_the_page)
 {
     pipeline_rough(place, "in/a2.csv", 600, 1, 5);
@@ -245,7 +242,7 @@ static double hardness_of(const json_t *results)
     return isnan(own) ? json_number_at(results, "scene/hardness_Pa") : own;
 }
 
-/* A plating thicker than indents are deep is what yields, and the page says which hardness it took. */
+/* A plating thicker than the indents are deep gives the hardness, and the page says which hardness is used. */
 TEST_IN_PLACE(a_plating_has_its_hardness)
 {
 #define BRONZE "material: bronze\nmodels: [corrected-persson]\nnominal_area: 1 mm2\noperating_load: 1 N\nbaseline: a\n"
@@ -301,8 +298,8 @@ TEST_IN_PLACE(a_plating_has_its_hardness)
     }
 }
 
-/* Parts that are flat, however that is said, have the numbers of flat parts; the more they bulge, the less of the area
- * carries the load and the less the joint conducts. */
+/* A shape that is flat gives the numbers of flat parts; the more the parts bulge, the less area carries the load and
+ * the less the joint conducts. */
 TEST_IN_PLACE(shape_of_the_parts)
 {
     static const char *const shapes[] = {"{crown: 1e9 m}", "{flatness: 1 um, over: 20 mm}",
@@ -352,7 +349,7 @@ TEST_IN_PLACE(shape_of_the_parts)
     assert_int_equal(compared, sizeof shapes / sizeof *shapes - 2);
 }
 
-/* Where the shape has no answer, the note says at which load, and what to do; elsewhere it says nothing. */
+/* If the shape has no solution, a note says at which load and what to do; else there is no note. */
 TEST_IN_PLACE(a_shape_without_an_answer)
 {
     static const struct {
@@ -378,8 +375,8 @@ TEST_IN_PLACE(a_shape_without_an_answer)
     }
 }
 
-/* The same shape as a map of the part's height has the same numbers; pressures that are the same all over, however they
- * are given, those of flat parts; parts of the area without a place have no way to them. */
+/* A shape given as a map of heights has the same numbers. Uniform pressures, however given, have those of flat parts.
+ * Pressures on shares of the area without place leave out the way to the spots. */
 TEST_IN_PLACE(shape_from_files)
 {
     static const char *const shapes[] = {
@@ -429,8 +426,8 @@ TEST_IN_PLACE(shape_from_files)
     }
 }
 
-/** The first table of the appendix, to its four digits from what stands in data/ at the operating load; without
- * hardness there is none to paste. */
+/** The appendix's table to paste, to four digits, from data/ at the operating load; its hardness is empty without one.
+ */
 TEST_IN_PLACE(to_paste)
 {
     const char *tail = "gap: {gas: air}\nload: {values: [1e-6, 1e-5, 1e-4]}\noperating_load: 1e-5\n"
@@ -468,8 +465,8 @@ TEST_IN_PLACE(to_paste)
     }
 }
 
-/** A flatness that is not given, of a hundredth of a percent of the length, is said to cost what it costs where it is
- * given; without area, with a shape, or where it is little, nothing is said. */
+/** "Flatness counts" states the same factor that a shape of that flatness gives. Without area, with a shape, or with
+ * little effect, it is not said. */
 TEST_IN_PLACE(flatness_that_is_not_given)
 {
     static const char said[] = " would divide the conductance by ", effect[] = "the scene has 'shape'; conductance × ";
@@ -493,7 +490,7 @@ TEST_IN_PLACE(flatness_that_is_not_given)
     }
 }
 
-/** Vacuum carries nothing, no film adds nothing; what the scene puts into the joint is told. */
+/** Vacuum conducts nothing, and a film of 0 adds nothing; the report says what is in the joint. */
 TEST_IN_PLACE(sentences)
 {
     char *report = report_of(place, "gap: {gas: vacuum}\nfilm: 0\n");
@@ -527,7 +524,7 @@ TEST_IN_PLACE(sentences)
     }
 }
 
-/** A limit and a target say what is in them, and which end of the loads they stand at. */
+/** Limits and targets name the film and plating they include, and say if they are met only outside the loads. */
 TEST_IN_PLACE(what_is_in_the_answer)
 {
     static const struct {
@@ -551,8 +548,8 @@ TEST_IN_PLACE(what_is_in_the_answer)
     }
 }
 
-/** Where a bond line keeps the metals apart nothing is said of spots, of what they would be off by, or of the load; the
- * numbers are the filler's, the verdicts go by them, and no number came out infinite. A thinner one leaves it said. */
+/** If a bond line keeps the metals apart, the page says nothing of spots, their uncertainty, or the load; numbers and
+ * verdicts are the filler's. With a thin bond line the page says it all. */
 TEST_IN_PLACE(a_bond_line_that_keeps_the_metals_apart)
 {
     static const char *const of_spots[] = {
@@ -589,8 +586,8 @@ TEST_IN_PLACE(a_bond_line_that_keeps_the_metals_apart)
     }
 }
 
-/** Parts that are not flat come to touch all over under load, also where a bond line holds the planes: what that gives
- * is found between the loads of the curve, and no load gives more than flat parts have. */
+/** Load flattens the parts, also if a bond line fixes the gap: targets are then found between the loads of the curve,
+ * but none above the conductance of flat parts. */
 TEST_IN_PLACE(a_bond_line_between_parts_that_are_not_flat)
 {
     static const char with[] = "load: {from: 1e-7, to: 3e-4, points: 9}\noperating_load: 1e-6\nmaterial: tin\n"

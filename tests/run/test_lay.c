@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A lay, through the whole program: given, measured along it, known of a map, and not known. */
+/* A lay through the whole program: given, measured along it, known from a map, and not known. */
 #include "run/pipeline.h"
 
 #include <jansson.h>
@@ -18,7 +18,7 @@ static void run_scene(const struct directory *place, const char *out, const char
                            files, keys, more));
 }
 
-/* Scans `times` as high, `apart` as far apart as others of the same number. */
+/* Scans with heights and spacing multiplied by these. */
 static void write_scans(const struct directory *place, const char *prefix, double times, double apart)
 {
     for (unsigned long seed = 1; seed <= SCANS; seed++) {
@@ -59,8 +59,8 @@ static void expect_same(const struct directory *place, const char *file, const c
         }
 }
 
-/** A surface of lay r is the one whose waves are sqrt(2/(1 + r²)) times as long, in every model; what describes the
- * scans stays as measured. Along scans 0.6 times as high are r = 0.6. */
+/** For every model a surface of lay r is an isotropic one whose waves are sqrt(2/(1 + r²)) times as long; the numbers
+ * that describe the scans stay as measured. Scans along that are 0.6 times as high give r = 0.6. */
 TEST_IN_DIRECTORY(a_lay_stretches_the_waves)
 {
     static const struct {
@@ -107,8 +107,9 @@ static void answer_of(double out[3], const struct directory *place, const char *
                  table_number(&bands, band, "ecr_ohm_m2_mean_low_95"));
 }
 
-/** Whichever of two directions a scene calls along, the steeper one is across: r is at most 1, every number is the
- * same, and a note says so. The strips of the flatter one take part, and the interval is narrower than with r alone. */
+/** Whichever direction the scene calls `along`, the steeper one counts as across: r is at most 1, all numbers are the
+ * same, and a note says so. The flatter scans' strips are used too, so that the interval is narrower than with r alone.
+ */
 TEST_IN_DIRECTORY(the_steeper_direction_is_across)
 {
     static const struct {
@@ -140,7 +141,7 @@ TEST_IN_DIRECTORY(the_steeper_direction_is_across)
     }
 }
 
-/** Scans that are refused or copies are told in either direction; the same scans are no second direction. */
+/** Refused scans and copies are reported in both directions; the same scans cannot be both. */
 TEST_IN_DIRECTORY(scans_along_are_read_as_others)
 {
     write_scans(place, "a", 1, 1);

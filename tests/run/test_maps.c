@@ -60,8 +60,8 @@ static size_t rows_of(const struct directory *place, const char *path, const cha
     return rows;
 }
 
-/** Maps alone are led by it, with an interval; `models: [strip]` has none of it; beside a line scan it stands aside,
- * and limits are those of the model that leads. */
+/** With maps only, the direct solution leads and has an interval; with `models: [strip]` it does not run; with a line
+ * scan among the surfaces another model leads, which also decides on limits. */
 TEST_IN_DIRECTORY(what_leads)
 {
     write_map(place, "in/a.csv", 1, 1);
@@ -93,8 +93,8 @@ TEST_IN_DIRECTORY(what_leads)
     assert_true(found[0] == 1 && found[1] == 0);
 }
 
-/** Two maps of one spacing are pressed together as they are; of two spacings, or against a line scan, their rows are.
- * What leads has an interval, in the last two cases that of a row's records and quarters. */
+/** Two maps of one spacing are pressed together directly; with different spacings, or a line scan, their rows are used.
+ * The leading model has an interval, in the last two cases from a row's simulated records and quarters. */
 TEST_IN_DIRECTORY(two_rough_bodies)
 {
     write_map(place, "in/a.csv", 1, 1);
@@ -124,8 +124,8 @@ static double of_row(const struct directory *place, const char *path, size_t at,
     return NAN;
 }
 
-/** What lies in the gaps of a map has an interval, in a vacuum that of the spots; the page advises wider loads where
- * these tell the interval's end, and only there. */
+/** The conductance of a map's joint has an interval, in vacuum that of the spots. The page advises wider loads only
+ * where they would give the interval's end. */
 TEST_IN_DIRECTORY(joints_of_a_map)
 {
     enum { MIDDLE = 4 };
@@ -200,7 +200,7 @@ TEST_IN_DIRECTORY(a_smooth_second_body)
     assert_true(compared > 20);
 }
 
-/** The study that holds models against the direct solution does not hold that against itself. */
+/** The direct study does not compare the direct solution with itself. */
 TEST_IN_DIRECTORY(squares_and_study)
 {
     write_long_map(place, "in/a.csv", 3, 1, 5 * SIDE);
@@ -222,8 +222,8 @@ static void write_waves(const struct directory *place, const char *name, bool no
     directory_write(place, name, text_string(xyz));
 }
 
-/** A map's parameters are those of its surface, as measured; what a low-pass takes is said where there is one. Rows are
- * no surface, and profiles have neither column nor numbers. */
+/** Sq and the other parameters of a map are those of its surface as measured; the effect of a low-pass is stated.
+ * Profiles have neither column nor values. */
 TEST_IN_DIRECTORY(parameters_of_the_surface)
 {
     write_waves(place, "in/w.csv", false);
@@ -251,8 +251,8 @@ TEST_IN_DIRECTORY(parameters_of_the_surface)
     expect_in_file(place, "high/report.md", "Rq, Ra: of the whole scan after `lambda_c`");
 }
 
-/** The picture of a map has its share in contact and its spots in words; the spots carry the load of the map's area,
- * and their areas are the picture's. Names may be anything; the first page alone, and profiles, have none of it. */
+/** The picture of a map states its share in contact and its spots; the spots carry the load on the map. Names may
+ * contain any characters. Neither --brief nor profiles have such a picture. */
 TEST_IN_DIRECTORY(pictures_and_spots)
 {
     write_map(place, "in/a.csv", 1, 1);
@@ -286,8 +286,8 @@ TEST_IN_DIRECTORY(pictures_and_spots)
     assert_false(directory_has(place, "lines/data/contact_spots.csv"));
 }
 
-/** `lambda_s: none`, given, takes a noisy map as measured; else it is low-passed, and what that changes is said. Of a
- * map without noise neither is. */
+/** `lambda_s: none` takes a noisy map as measured; without it the map is low-passed, and the report says what that
+ * changes. A map without noise is not low-passed. */
 TEST_IN_DIRECTORY(as_measured)
 {
     static const char *const said[2] = {"low-passed at 6 um", "the low-pass of the map has changed area by about +"};

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What is said of very many surfaces: a line a kind, with their number; all of it where no report has it. */
+/* Messages on very many surfaces: one line for each kind, with their number; all lines if there is no report. */
 #include "run/messages.h"
 #include "support.h"
 
@@ -41,7 +41,7 @@ static size_t lines_with(const struct text *text, const char *part)
     return count;
 }
 
-/* Is this said of these surfaces, of which so many are refused? */
+/* The messages on these surfaces, of which `refused` must be refused. */
 static struct text said_of(const struct surface_record *surface, size_t count, bool reported, size_t refused)
 {
     const struct scene scene = {.passed_over = NULL};
@@ -78,7 +78,7 @@ TEST_CASE(notes_alike_are_a_line_beside_a_report)
     text_free(&text);
 }
 
-/* The notes of a counterface's files are told apart by them, but for numbers; each is said with its file. */
+/* Notes on different files of a counterface are different kinds; each names its file. */
 TEST_CASE(notes_of_the_counterface_name_its_files)
 {
     struct note_list other = {0}, *own = &records[0].summary.notes;
@@ -103,7 +103,7 @@ TEST_CASE(notes_of_the_counterface_name_its_files)
     note_list_free(&other);
 }
 
-/* More kinds than are told apart: nothing is held back. */
+/* With more kinds than are counted, every note gets a line. */
 TEST_CASE(what_is_of_no_kind_is_said)
 {
     enum { MANY = 300 };
@@ -125,7 +125,7 @@ TEST_CASE(what_is_of_no_kind_is_said)
     free(note);
 }
 
-/* A refused surface's notes are in no report: none is left out. */
+/* Notes of refused surfaces are not in the report, so all of them are shown, for the first ten surfaces. */
 TEST_CASE(notes_of_the_refused_are_said)
 {
     make();

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A new model is a row: two more, registered here in place of model_table.c, run through a whole report. One stacks
- * scales and computes every quantity, one knows the area alone and never comes to full contact. */
+/* A new model is one table row: two more, registered here in place of model_table.c, run through a whole report. One
+ * stacks scales and computes every quantity, the other only has an area and never reaches full contact. */
 #include "contact/multiscale.h"
 #include "pipeline.h"
 #include "run/all_surfaces.h"
@@ -158,7 +158,7 @@ static const char *section(const char *markdown, const char *heading)
     return text_string(&part);
 }
 
-/** Does a table's row that starts so, without blanks, hold this many cells? */
+/** The table row that starts so has this many cells. */
 static void assert_row(const char *markdown, const char *start, size_t cells)
 {
     const char *row = strstr(markdown, start);
@@ -210,7 +210,7 @@ TEST_CASE(test_the_data)
     assert_int_equal(rows[1], 3 * 13);
 }
 
-/* What the area alone never set is null, quantity by quantity. */
+/* Quantities that the second model does not compute are null. */
 TEST_CASE(test_the_json)
 {
     const json_t *results = directory_json(&whole, "out/results.json");
@@ -284,7 +284,7 @@ TEST_CASE(test_the_work)
     assert_true(whole_outcome->times.models[STACK] > 0 && whole_outcome->times.models[ALONE] > 0);
 }
 
-/* Nothing but an area: what other models would add has no place in the report. */
+/* A report with an area only has nothing on other quantities. */
 TEST_IN_DIRECTORY(test_the_area_alone)
 {
     const struct run_outcome *outcome = report_of(place,

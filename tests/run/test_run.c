@@ -23,7 +23,7 @@ static void write_report_before(const struct directory *place)
     directory_write(place, "out/manifest.txt", OUTPUT_MANIFEST_HEADER "manifest.txt\nreport.md\nresults.json\n");
 }
 
-/* Runs that end early leave OUT and what is around it as they were. */
+/* A run that fails leaves OUT and its surroundings as they were. */
 static void assert_untouched(const struct directory *place, struct run_options options, enum status_code expected,
                              const char *words)
 {
@@ -54,7 +54,7 @@ PLACED(test_a_run_that_fails_leaves_the_report_before)
     assert_untouched(place, (struct run_options){0}, STATUS_SCAN, "no scan in");
 }
 
-/* The signal comes while surfaces are being evaluated. */
+/* A signal comes while surfaces are evaluated. */
 static atomic_bool stop_soon;
 static double evaluated;
 
@@ -74,7 +74,7 @@ PLACED(test_a_signal_halfway_stops_the_run)
     assert_near(evaluated, 1, 0); /* no other surface was begun */
 }
 
-/* How far the threads are is told by one at a time. */
+/* Progress is reported by one thread at a time. */
 static atomic_int telling;
 static atomic_bool at_once;
 static double told;
@@ -113,7 +113,7 @@ enum status_code __wrap_direct_ladder_run(struct direct_point *out, struct direc
     return status_fail(status, STATUS_MODEL, "the direct solution does not converge at p/E' = 0.01");
 }
 
-/* A direct solution that does not converge gives no number and takes none of the report away. */
+/* Without convergence of the direct solution the rest of the report stays. */
 PLACED(test_no_convergence_leaves_the_report)
 {
     pipeline_report(*state, "in", "out",

@@ -43,10 +43,9 @@ static void rough(const struct directory *place, const char *name, size_t points
     pipeline_scan(place, name, height_m, points);
 }
 
-/** The surface's curve, but for the textbook's (test_textbook.c), is the geometric mean of those of its scans, each
- * reported by itself: of
- * separation/sigma, not of metres; of what may be negative the arithmetic one. The scans' order in the scene does not
- * matter. */
+/** The surface's curve (except the textbook's, see test_textbook.c) is the geometric mean of the curves of its scans,
+ * each from a report of its own. Separations are averaged over sigma; what may be negative has the arithmetic mean. The
+ * order of the scans in the scene does not matter. */
 TEST_IN_DIRECTORY(the_mean_of_five_reports)
 {
     static const char *const columns[] = {"area_ratio", "ecr_ohm_m2", "separation_over_sigma",
@@ -131,8 +130,8 @@ static double cell(const struct table *table, size_t row, const char *column)
     return *table_text(table, row, column) ? table_number(table, row, column) : NAN;
 }
 
-/** Intervals of one scan and of two that are quite unlike, up to full contact: each about its value and with a width,
- * above 0, of an area up to 1; none where a number is that of the load alone. */
+/** Intervals of one scan and of two very different ones, up to full contact: they contain the value, have a width, lie
+ * above 0 and for areas below 1. A quantity given by the load alone has none. */
 TEST_IN_DIRECTORY(intervals_in_the_data)
 {
     static const char *const names[] = {"area_ratio", "separation_over_sigma", "ecr_ohm_m2"};
@@ -193,7 +192,7 @@ TEST_IN_DIRECTORY(intervals_in_the_data)
     assert_true(at_most[0] > 0 && at_most[1] > 0 && alike > 4 && pressed > 4 && yielding > 4);
 }
 
-/** A scan of twice the length is cut in two: it then says what its halves, reported as scans of one surface, say. */
+/** A scan of twice the length is cut in two, and gives the same as its halves given as two scans. */
 TEST_IN_DIRECTORY(unlike_lengths)
 {
     double height_m[2 * POINTS];
@@ -286,7 +285,7 @@ static double width_of(const struct directory *place, const char *out, const cha
     return log(of_resistance(place, out, model, "mean_95/1") / of_resistance(place, out, model, "mean_95/0"));
 }
 
-/** One scan with open ends that holds few of its longest waves: what it cannot know is in its interval. */
+/** The interval of one open scan with few of its longest waves is wider, by what it cannot know of them. */
 TEST_IN_DIRECTORY(few_longest_waves)
 {
     struct synth_def def = synth_def_default();
@@ -305,7 +304,7 @@ TEST_IN_DIRECTORY(few_longest_waves)
                 interval_quantile(0.95, 4 * pow(square / (s * s), 2)) * sqrt(square), 1e-9);
 }
 
-/** Records of a long scan are of means of its heights, which scatter as its own do. */
+/** Records simulated from a long scan are of means over neighbouring heights, and scatter like those of all heights. */
 TEST_IN_DIRECTORY(long_scans_are_thinned)
 {
     enum { RECORD = 1 << 14, EACH = 3 };
@@ -357,8 +356,8 @@ TEST_IN_DIRECTORY(two_rough_bodies)
     }
 }
 
-/** One scan whose quarters are alike, and one that is a hundred times as rough from its middle on: each quarter goes
- * through the strips alone, and their scatter is in the interval. */
+/** A scan with equal quarters, and one that is a hundred times as rough from its middle on: the quarters are solved
+ * alone, and their scatter widens the interval. */
 TEST_IN_DIRECTORY(a_scan_that_changes)
 {
     double width[2];
@@ -380,7 +379,7 @@ TEST_IN_DIRECTORY(a_scan_that_changes)
     assert_true(width[1] > 2 * width[0]);
 }
 
-/** 24 scans are solved whole; of more, and of longer ones, pieces: the answer stays of its kind. */
+/** Up to 24 scans are solved whole, more in pieces; all count in the degrees of freedom. */
 TEST_IN_DIRECTORY(many_scans)
 {
     for (unsigned long i = 0; i < 26; i++)
@@ -392,7 +391,7 @@ TEST_IN_DIRECTORY(many_scans)
     }
 }
 
-/** What is off is not computed: no band, no section, no letters, and nobody is called best. */
+/** Without `uncertainty` single scans have no bands, and nothing is said about significant differences. */
 TEST_IN_DIRECTORY(one_scan_each)
 {
     rough(place, "in/a.csv", POINTS, 1, 1);
@@ -425,8 +424,7 @@ TEST_IN_DIRECTORY(a_map_by_rows)
     expect_in_file(place, "out/report.md", "24 of them, evenly spaced, go through the models");
 }
 
-/* Scans that cannot be used, one of which is refused after another of its surface was added, leave no trace in numbers:
- * the surface is that of the others, and says so. */
+/* Scans that cannot be used change no number: the surface is that of the other scans, and the report says so. */
 TEST_IN_DIRECTORY(bad_scans_of_several)
 {
     static const char *const folders[] = {"good", "bad"};
@@ -452,7 +450,7 @@ TEST_IN_DIRECTORY(bad_scans_of_several)
     expect_in_file(place, "out-bad/report.md", "2 of 5 files were not used", "at least 11 are needed");
 }
 
-/* A surface of too short a scan is none, and leads nothing; the shortest that is taken has 11 points. */
+/* A surface whose only scan is too short is refused; the shortest scan that is accepted has 11 points. */
 TEST_IN_DIRECTORY(too_short_to_lead)
 {
     rough(place, "in/long.csv", POINTS, 1, 3);
@@ -467,8 +465,8 @@ TEST_IN_DIRECTORY(too_short_to_lead)
     expect_parts(text_string(&outcome->messages), "surface 'ten' refused: ten.csv: 10 points carry no spectrum");
 }
 
-/* Scans of one surface that have nothing in common, as um read as mm or a factor too many: a number that cannot be had
- * is empty, with its reason, and the report is made. */
+/* Scans of one surface without common wavelengths, such as um read as mm: numbers that cannot be computed are empty,
+ * with the reason, and the report is written. */
 TEST_IN_DIRECTORY(scans_that_have_nothing_in_common)
 {
     struct text *csv = support_text();

@@ -61,8 +61,8 @@ static void assert_factor(const struct table *table, size_t row, const char *col
         assert_near(table_number(table, row, column), expected, 1e-9);
 }
 
-/** Every model and change against reports of the low-passed scan, of its halves and of a harder metal; strips stay
- * those of the scan as it is. */
+/** Every model and change against reports on the low-passed scan, its halves, and a harder metal. Strips are not
+ * compared: they stay those of the unchanged scan. */
 TEST_IN_PLACE(factors_are_those_of_separate_reports)
 {
     struct synth_def def = synth_def_default();
@@ -131,9 +131,8 @@ static void make_report(const struct directory *place, const char *in, const cha
                how, LOADS));
 }
 
-/** A scan that closes on itself keeps its window and levelling when its cut-off is doubled, and is smoothed around its
- * ends: here by a sum over the circle. Its halves do not close: they are held against the whole windowed as they are.
- */
+/** With a doubled cut-off a periodic scan keeps its window and levelling, and is smoothed around its ends (here by a
+ * sum over the circle). Its halves are not periodic, and are compared with the whole scan windowed as they are. */
 TEST_IN_PLACE(a_scan_that_closes_stays_closed)
 {
     struct synth_def def = synth_def_default();
@@ -182,8 +181,8 @@ TEST_IN_PLACE(a_scan_that_closes_stays_closed)
     assert_int_equal(compared, 20);
 }
 
-/** Waves far longer than the cut-off: doubling it changes nothing. Two equal halves: nor does halving, where the answer
- * does not depend on length (the corrected Persson theory's area). */
+/** With waves far longer than the cut-off, doubling it changes nothing. With two equal halves, halving changes nothing
+ * if the answer does not depend on length (the corrected Persson theory's area). */
 TEST_IN_PLACE(smooth_waves_do_not_change)
 {
     double z[POINTS];
@@ -209,7 +208,7 @@ TEST_IN_PLACE(smooth_waves_do_not_change)
     assert_true(seen > 6);
 }
 
-/** Fewer than 16 points are not halved: cells without a number, and no section. */
+/** Fewer than 16 points are not halved: cells are empty, and there is no section. */
 TEST_IN_PLACE(a_short_scan_says_nothing)
 {
     double z[15];

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The textbook's contact as a reader of the report makes it again, from the sigma, m and H that stand beside it. */
+/* The textbook's contact recomputed, as a reader could, from the sigma, m and H printed beside it. */
 #include "run/pipeline.h"
 
 #include <gsl/gsl_cdf.h>
@@ -57,8 +57,7 @@ static double number(const struct directory *place, const char *out, const char 
     return pipeline_number(place, out, filled("surfaces/0/%s", key));
 }
 
-/** Every row of CMY is the closed form of the printed sigma and m; m is the levelled profile's, of a lay kappa times.
- */
+/** Every row of CMY follows from the printed sigma and m; m is the levelled profile's, times kappa with a lay. */
 static void expect_textbook(const struct directory *place, const char *out)
 {
     const double sigma_m = number(place, out, "sigma_m"), slope = number(place, out, "mean_slope");
