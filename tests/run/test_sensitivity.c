@@ -22,14 +22,13 @@ static void write_scan(const struct directory *place, const char *name, const do
     directory_write(place, name, text_string(csv));
 }
 
-static void write_scene(const struct directory *place, const char *in, const char *more)
+static void run_scene(const struct directory *place, const char *in, const char *more)
 {
-    directory_write(
-        place, filled("%s/scene.yaml", in),
-        filled("models: [multiscale, statistical, corrected-persson, strip, cmy]\n"
-               "effects: [plasticity, electrical]\nlevel: line\nwindow: none\nload: {from: 1e-6, to: 1e-2, points: "
-               "%d}\noperating_load: 1e-4\n%s",
-               LOADS, more));
+    pipeline_report(place, in, filled("out-%s", in),
+                    filled("models: [multiscale, statistical, corrected-persson, strip, cmy]\n"
+                           "effects: [plasticity, electrical]\nlevel: line\nwindow: none\n"
+                           "load: {from: 1e-6, to: 1e-2, points: %d}\noperating_load: 1e-4\n%s",
+                           LOADS, more));
 }
 
 static void level(double *height_m, size_t points)
@@ -84,12 +83,8 @@ TEST_IN_PLACE(factors_are_those_of_separate_reports)
     write_scan(place, "first/a.csv", z, POINTS / 2);
     write_scan(place, "second/a.csv", z + POINTS / 2, POINTS / 2);
     static const char *const folders[] = {"in", "smooth", "first", "second", "harder"};
-    char out[5][32];
-    for (int f = 0; f < 5; f++) {
-        snprintf(out[f], sizeof out[f], "out-%s", folders[f]);
-        write_scene(place, folders[f], f < 4 ? METAL("1.4e7") : METAL("1.54e7"));
-        assert_int_equal(pipeline_run(place, folders[f], out[f], 1), 0);
-    }
+    for (int f = 0; f < 5; f++)
+        run_scene(place, folders[f], f < 4 ? METAL("1.4e7") : METAL("1.54e7"));
     struct table table = directory_table(place, "out-in/data/sensitivity.csv");
     assert_int_equal(table.columns, 5);
     size_t compared = 0;
@@ -98,7 +93,7 @@ TEST_IN_PLACE(factors_are_those_of_separate_reports)
         for (int c = 0; c < 2; c++) {
             double value[5];
             for (int f = 0; f < 5; f++)
-                value[f] = at_middle(place, out[f], model, columns[c][1]);
+                value[f] = at_middle(place, filled("out-%s", folders[f]), model, columns[c][1]);
             bool cutoff = strcmp(change, "cut-off x2") == 0;
             bool halved = strcmp(change, "scan /2") == 0;
             assert_true(cutoff || halved || strcmp(change, "hardness x1.1") == 0);
@@ -190,8 +185,7 @@ TEST_IN_PLACE(smooth_waves_do_not_change)
         z[i] = 1e-7 * cos(2 * M_PI * 4 * ((double)i + 0.5) / POINTS) +
                2e-8 * cos(2 * M_PI * 10 * ((double)i + 0.5) / POINTS);
     write_scan(place, "wave/a.csv", z, POINTS);
-    write_scene(place, "wave", "material: tin\n");
-    assert_int_equal(pipeline_run(place, "wave", "out-wave", 1), 0);
+    run_scene(place, "wave", "material: tin\n");
     struct table table = directory_table(place, "out-wave/data/sensitivity.csv");
     size_t seen = 0;
     for (size_t row = 0; row < table.rows; row++) {
@@ -215,7 +209,7 @@ TEST_IN_PLACE(a_short_scan_says_nothing)
     for (size_t i = 0; i < 15; i++)
         z[i] = 1e-7 * sin(2.4 * (double)i) + 3e-8 * cos(5.1 * (double)i);
     write_scan(place, "wave/a.csv", z, 15);
-    assert_int_equal(pipeline_run(place, "wave", "out-wave", 1), 0);
+    run_scene(place, "wave", "material: tin\n");
     struct table table = directory_table(place, "out-wave/data/sensitivity.csv");
     assert_true(table.rows > 0);
     for (size_t row = 0; row < table.rows; row++)
