@@ -122,6 +122,22 @@ json_t *support_json(const char *text)
     return test_owns(json, end_json);
 }
 
+json_t *json_at(const json_t *root, const char *path)
+{
+    const json_t *at = root;
+    for (size_t length; at && *path; path += length + (path[length] == '/')) {
+        length = strcspn(path, "/");
+        at = json_is_array(at) ? json_array_get(at, strtoul(path, NULL, 10)) : json_object_getn(at, path, length);
+    }
+    return (json_t *)at;
+}
+
+double json_number_at(const json_t *root, const char *path)
+{
+    const json_t *number = json_at(root, path);
+    return json_is_number(number) ? json_number_value(number) : NAN;
+}
+
 const char *filled(const char *format, ...)
 {
     static char texts[16][8192];

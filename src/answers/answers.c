@@ -13,16 +13,16 @@ const double answers_least_spots = 10;
 
 static const struct answer no_answer = {.load = NAN, .low = NAN, .high = NAN, .spots_per_m2 = NAN};
 
-/** Share by which a number may miss its target where the curve ends without a full contact. */
+/** Relative distance at which a target counts as met where a curve ends before full contact. */
 static const double end_slack = 0.01;
 
-/** Does the quantity rise with the load? Else it falls. */
+/** Does the quantity rise with the load? */
 static bool rises(const struct scene_asked *asked)
 {
     return quantity_rows[asked->quantity].is & QUANTITY_RISES;
 }
 
-/** What a quantity is where contact is full: there is no resistance left but the film's. */
+/** The value at full contact, where only a film's resistance is left. */
 static double full_value(enum quantity quantity, const struct joint_task *joint)
 {
     struct contact_point point = quantity_nothing();
@@ -32,14 +32,14 @@ static double full_value(enum quantity quantity, const struct joint_task *joint)
     return isinf(quantity_rows[quantity].at_full) ? INFINITY : point.value[quantity];
 }
 
-/** The number at a point; of a resistance through metal that does not touch: infinite. */
+/** The value at a point; infinite for a resistance through metals that do not touch. */
 static double value_at(const struct contact_point *point, enum quantity quantity)
 {
     bool apart = quantity_rows[quantity].from & QUANTITY_BIT(QUANTITY_ECR) && isinf(point->value[QUANTITY_ECR]);
     return apart && (quantity_rows[quantity].is & QUANTITY_ENDS) ? INFINITY : point->value[quantity];
 }
 
-/** One end of the band about a curve. */
+/** The lower or upper end of the band about a curve. */
 struct band_end {
     const struct model_curve *curve;
     const struct ensemble_band *band;
@@ -49,7 +49,7 @@ struct band_end {
     const struct joint_task *joint;
 };
 
-/** The number at one end of the band at load i. A temperature is that of the voltage. */
+/** The end of the band at load i. For a temperature it follows from that of the voltage. */
 static double at_end(const struct band_end *end, size_t i)
 {
     const double(*mean)[2] = (const double(*)[2])end->band[i].mean;
@@ -57,7 +57,7 @@ static double at_end(const struct band_end *end, size_t i)
                                                  : mean[end->quantity][end->side];
 }
 
-/** ln of the end over the curve, straight in ln P between the loads that have it; at the ends that of the last one. */
+/** ln of band end over curve: linear in ln P between the loads that have one, constant beyond them. */
 static double band_shift(double ln_load, const void *context)
 {
     const struct band_end *end = context;
@@ -75,22 +75,22 @@ static double band_shift(double ln_load, const void *context)
     return before;
 }
 
-/** A target, sought on a surface's curve or on an end of its band. */
+/** The search for a target on a surface's curve, or on an end of its band. */
 struct search {
     const struct model_row *row;
-    struct model_task task; /* but its loads, between the first and the last of which it is sought */
+    struct model_task task; /* the search is between its first and its last load */
     const struct ensemble *set;
     struct joint_task joint;
     const struct scene_asked *target;
-    const struct model_curve *known; /* its curve, at some loads */
+    const struct model_curve *known; /* the curve, where it is already computed */
     const struct band_end *end;      /* NULL: the curve itself */
-    struct contact_point point;      /* at the load that was asked for last; nothing where the curve has none */
+    struct contact_point point;      /* at the load of the last run_at(); nothing if the curve has no point there */
     bool asks_wider;
-    double value, full_load; /* NaN: the model has none there */
+    double value, full_load; /* NaN: none there */
     struct status *status;
 };
 
-/** Looks a load up on the curve: to rounding. */
+/** Looks up a load on the known curve, to rounding. */
 static bool look_up(struct search *search, double load)
 {
     const struct model_curve *known = search->known;
@@ -105,7 +105,7 @@ static bool look_up(struct search *search, double load)
     return true;
 }
 
-/** The first point of the known curve that a bond line holds, as which all heavier loads are; NULL: none. */
+/** First point of the known curve whose gap the bond line fixes; all heavier loads are the same. NULL: none. */
 static const struct contact_point *first_held(const struct search *search)
 {
     for (size_t i = 0; i < search->known->count; i++)
@@ -114,7 +114,7 @@ static const struct contact_point *first_held(const struct search *search)
     return NULL;
 }
 
-/** The model at one load. */
+/** Evaluates the model at one load. */
 static void run_at(struct search *search, double load)
 {
     struct contact_point points[2] = {quantity_nothing(), quantity_nothing()};
@@ -130,7 +130,7 @@ static void run_at(struct search *search, double load)
         return;
     joint_hold(points, curve.count, &search->joint);
     if (held && (beyond || joint_is_held(points, &search->joint))) {
-        points[0] = *held; /* but for what the parts' shape makes of it there */
+        points[0] = *held; /* only the parts' shape still depends on the load */
         points[0].value[QUANTITY_LOAD] = load;
         curve = (struct model_curve){.points = points, .count = 1, .exists = true, .full_load = NAN};
     }
@@ -143,8 +143,8 @@ static void run_at(struct search *search, double load)
     }
 }
 
-/** ln of the number over the target at ln P, the other way round where the number falls: negative where the target is
- * not met yet. Where there is no number it is far beyond. */
+/** ln(value/target) at ln P, with the sign changed for quantities that fall with load: negative below the load that
+ * meets the target. Far beyond it where there is no value. */
 static double excess(double ln_load, void *context)
 {
     static const double beyond = 1e3;
@@ -154,7 +154,8 @@ static double excess(double ln_load, void *context)
     return isnan(search->value) ? beyond : fmin(fmax(rises(search->target) ? ratio : -ratio, -beyond), beyond);
 }
 
-/** Narrows two loads between which the target is met to within the tolerance: to two of the curve, then on. */
+/** Narrows two loads around the target to the tolerance: first to neighbours on the known curve, then by Brent's
+ * method. */
 static enum status_code narrow(double ends[2], struct search *search)
 {
     enum { STEPS_MOST = 200 };
@@ -184,7 +185,7 @@ static enum status_code narrow(double ends[2], struct search *search)
     return search->status->code;
 }
 
-/** Does the contact of flat parts meet the target where the search stands? Load makes them flat. */
+/** Would flat parts meet the target here? With a shape, more load flattens the parts. */
 static bool flat_meets(const struct search *search)
 {
     bool rising = rises(search->target),
@@ -193,7 +194,7 @@ static bool flat_meets(const struct search *search)
     return shaped && (rising ? 1 / flat >= search->target->value : flat <= search->target->value);
 }
 
-/** Would loads up to a thousand times as light (`heavy`: as heavy) tell where the target is passed? */
+/** Is the target passed at loads up to a thousand times lighter (`heavy`: heavier)? */
 static bool found_beyond(struct search *search, bool heavy)
 {
     const struct model_task *task = &search->task;
@@ -207,8 +208,8 @@ static bool found_beyond(struct search *search, bool heavy)
     return false;
 }
 
-/** The load at which the target is met. */
-static enum status_code solve(struct answer *out, struct search *search)
+/** Finds the load at which the target is met. */
+static enum status_code find_load(struct answer *out, struct search *search)
 {
     const enum quantity quantity = search->target->quantity;
     const double first = search->task.loads[0], last = search->task.loads[search->task.load_count - 1];
@@ -234,7 +235,7 @@ static enum status_code solve(struct answer *out, struct search *search)
         out->full = search->full_load > first;
         out->kind = out->full ? ANSWER_LOAD : ANSWER_LIGHTEST;
         out->load = fmax(search->full_load, first);
-    } else if (isnan(search->value) && known) { /* where the numbers end */
+    } else if (isnan(search->value) && known) { /* the values end before the last load */
         run_at(search, ends[0]);
         bool near = fabs(log(search->value / search->target->value)) < end_slack;
         out->kind = near ? ANSWER_LOAD : ANSWER_NOT_REACHED;
@@ -243,9 +244,10 @@ static enum status_code solve(struct answer *out, struct search *search)
     if (search->full_load <= out->load)
         search->point = (struct contact_point){.value[QUANTITY_AREA] = 1};
     out->held = joint_is_held(&search->point, &search->joint);
-    if (out->held && out->kind == ANSWER_NOT_REACHED && !flat_meets(search))
-        *out = (struct answer){
-            .kind = ANSWER_NONE, .load = NAN, .low = NAN, .high = NAN, .spots_per_m2 = NAN, .held = true};
+    if (out->held && out->kind == ANSWER_NOT_REACHED && !flat_meets(search)) {
+        *out = no_answer;
+        out->held = true;
+    }
     out->invalid = !curve_summary_point_is_valid(&search->point, search->row);
     out->above_hardness = !out->held && !search->row->plastic &&
                           material_pair_pressure(search->task.pair, out->load) >
@@ -253,9 +255,9 @@ static enum status_code solve(struct answer *out, struct search *search)
     return search->status->code;
 }
 
-/** The model that counts the spots of an answer of model `m`: itself, else of those that run, count them, are valid
- * there, and are not elastic where `m` is plastic the textbook's (whose count hangs least on the spacing of the scan),
- * else the one of the greatest precedence; model_count: none. */
+/** The model that counts the spots for an answer of model `m`: itself if it can; else among the models that run, count
+ * spots, are valid there, and are not elastic if `m` is plastic: the textbook's, whose count depends least on the
+ * scan's spacing, or the one of greatest precedence. model_count: none. */
 static size_t counting_model(const struct surface_record *record, const struct plan *plan, size_t m, double load)
 {
     size_t found = model_count;
@@ -270,7 +272,7 @@ static size_t counting_model(const struct surface_record *record, const struct p
     return model_rows[m]->spots ? m : found;
 }
 
-/** The spots at the answer's load; of several scans, their mean. */
+/** Counts the spots at the answer's load, averaged over several scans. */
 static enum status_code count_spots(struct answer *out, const struct ensemble *set, size_t by,
                                     const struct model_task *task, struct status *status)
 {
@@ -294,8 +296,8 @@ static enum status_code count_spots(struct answer *out, const struct ensemble *s
     return STATUS_OK;
 }
 
-/** The loads at which the ends of the curve's band pass the target. */
-static enum status_code solve_band(struct answer *out, const struct surface_record *record, struct search *search)
+/** Finds the loads at which the ends of the band meet the target. */
+static enum status_code find_interval(struct answer *out, const struct surface_record *record, struct search *search)
 {
     size_t m = model_index(search->row);
     for (int side = 0; side < 2; side++) {
@@ -306,11 +308,11 @@ static enum status_code solve_band(struct answer *out, const struct surface_reco
             return STATUS_OK;
         struct search on_end = *search;
         on_end.end = &end;
-        if (solve(&one, &on_end) != STATUS_OK)
+        if (find_load(&one, &on_end) != STATUS_OK)
             return search->status->code;
         double load = one.kind == ANSWER_LOAD && !one.full ? one.load : NAN;
         out->wider = out->wider || one.wider;
-        if (side == rises(search->target)) /* that end gets there at the lighter load */
+        if (side == rises(search->target)) /* this end meets it at the lighter load */
             out->low = isnan(load) ? NAN : fmin(load, out->load);
         else
             out->high = isnan(load) ? NAN : fmax(load, out->load);
@@ -318,7 +320,7 @@ static enum status_code solve_band(struct answer *out, const struct surface_reco
     return STATUS_OK;
 }
 
-/** Of the model that `search` is of. */
+/** Answers a target by the model of `search`. */
 static enum status_code answer_target(struct answer *out, const struct surface_record *record,
                                       const struct scene_asked *target, struct search search)
 {
@@ -333,13 +335,13 @@ static enum status_code answer_target(struct answer *out, const struct surface_r
     if (!record->curves[m].exists || (search.row->quantities & search.task.wanted & needed) != needed)
         return STATUS_OK;
     search.asks_wider = record->bands[m];
-    if (solve(out, &search) != STATUS_OK)
+    if (find_load(out, &search) != STATUS_OK)
         return search.status->code;
     const struct band_end any = {&record->curves[m], record->bands[m], record->band_count, target->quantity, 0,
                                  &search.joint};
     bool banded = record->bands[m] && !isnan(band_shift(log(out->load), &any));
     out->wider = out->wider && banded;
-    return banded && out->kind == ANSWER_LOAD && !out->full ? solve_band(out, record, &search) : STATUS_OK;
+    return banded && out->kind == ANSWER_LOAD && !out->full ? find_interval(out, record, &search) : STATUS_OK;
 }
 
 const char *const limit_verdict_words[] = {
@@ -356,7 +358,7 @@ enum limit_verdict answers_judge(const struct limit_check *check, const struct s
     return (limit->is_upper ? low > limit->value : high < limit->value) ? LIMIT_MISSED : LIMIT_UNDECIDED;
 }
 
-/** The leading model at load i of its curve against a limit, with its band. */
+/** Checks a limit at point i of the leading model's curve. */
 static struct limit_check check_point(const struct surface_record *record, size_t leading,
                                       const struct scene_asked *limit, const struct joint_task *joint, size_t i)
 {
@@ -373,7 +375,7 @@ static struct limit_check check_point(const struct surface_record *record, size_
     return out;
 }
 
-/** Where the model has no number at the load, it may be full contact. */
+/** Checks a limit at a load; where the curve has ended the contact may be full, or the gap fixed by a bond line. */
 static struct limit_check check_limit(const struct surface_record *record, size_t leading,
                                       const struct scene_asked *limit, const struct joint_task *joint, double load)
 {
@@ -429,7 +431,7 @@ enum status_code answers_find(struct surface_record *record, const struct scene 
             struct answer *answer = &summary->answers[t * model_count + m];
             struct scene_asked target = scene->targets[t];
             if (summary->carried > 0 && m == summary->carried_model && target.quantity == summary->carried_quantity)
-                target.value *= summary->carried; /* the model's resistance over that factor is what is met */
+                target.value *= summary->carried; /* the measured resistance is the model's over that factor */
             if (answer_target(answer, record, &target, search) != STATUS_OK)
                 return status->code;
             bool met =
@@ -456,7 +458,6 @@ void answers_check_limits(struct surface_record *record, const struct scene *sce
 void answers_note(struct text *out, const struct answer *answer, double nominal_area_m2, double load_scale,
                   const char *load_unit)
 {
-    const char *before = "";
     double spots = answer->spots_per_m2 * nominal_area_m2;
     if (answer->kind == ANSWER_NONE)
         text_add(out, "%s",
@@ -468,15 +469,14 @@ void answers_note(struct text *out, const struct answer *answer, double nominal_
                  *load_unit ? " " : "", load_unit);
     if (answer->full)
         text_add(out, "at full contact at the latest");
-    before = answer->kind == ANSWER_LOAD && !answer->full ? "" : "; ";
-    if (answer->invalid && answer->kind != ANSWER_NONE) {
-        text_add(out, "%sbeyond the model's validity", before);
-        before = "; ";
-    }
-    if (answer->above_hardness && answer->kind != ANSWER_NONE) {
-        text_add(out, "%sabove the hardness", before);
-        before = "; ";
-    }
+    const char *before = answer->kind == ANSWER_LOAD && !answer->full ? "" : "; ";
+    const char *const marks[] = {answer->invalid ? "beyond the model's validity" : NULL,
+                                 answer->above_hardness ? "above the hardness" : NULL};
+    for (int k = 0; k < 2 && answer->kind != ANSWER_NONE; k++)
+        if (marks[k]) {
+            text_add(out, "%s%s", before, marks[k]);
+            before = "; ";
+        }
     if (spots < answers_least_spots)
         text_add(out, "%stoo few spots for statistics (%.2g)", before, spots);
 }

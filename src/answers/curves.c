@@ -15,7 +15,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/** Carries the spectrum on below its last known harmonic, where that can change anything. */
+/** Extrapolates the spectrum to shorter waves, for models that stack scales. */
 static void extend(struct surface_record *record, const struct scene *scene)
 {
     struct surface_summary *summary = &record->summary;
@@ -30,7 +30,7 @@ static void extend(struct surface_record *record, const struct scene *scene)
     summary->times.convergence = clock_seconds() - started;
 }
 
-/** What the models that stack scales say at the operating load where the fitted law (4.53) stands in place of the
+/** Runs the models that stack scales at the operating load with the fitted law (4.53) in place of the measured
  * harmonics of its band. */
 static enum status_code try_law(struct surface_record *record, const struct model_task *task, struct status *status)
 {
@@ -67,8 +67,8 @@ static enum status_code try_law(struct surface_record *record, const struct mode
     return rc;
 }
 
-/** The other estimate of beta (4.54), which brings delta_ADJ closest to the separation H of the multiscale model of the
- * same material law, in the mean square: the mean of 4 (H - delta/2)/sigma over the loads that both answer. */
+/** The other estimate of beta (4.54), for which delta_ADJ is nearest, in the mean square, to the separation H of the
+ * multiscale model of the same material law: the mean of 4 (H - delta/2)/sigma over the loads that both answer. */
 static double nearest_beta(const struct surface_record *record, size_t m, const struct joint_task *joint)
 {
     const struct model_curve *curve = &record->curves[m],
@@ -86,7 +86,7 @@ static double nearest_beta(const struct surface_record *record, size_t m, const 
     return sum / count;
 }
 
-/** What a model that has run leaves to say. */
+/** Notes on a model that has run. */
 static void note_model(struct surface_record *record, size_t m, size_t left_out)
 {
     const struct model_curve *curve = &record->curves[m];
@@ -96,7 +96,7 @@ static void note_model(struct surface_record *record, size_t m, size_t left_out)
         note_add(&record->summary.notes, NULL, "note.overflow\nmodel %s", model_rows[m]->label);
 }
 
-/** One model: its curve, or the mean of its scans' curves; what lies in the joint; where it bends; what it hangs on. */
+/** Runs one model: its curve with the joint, its uncertainty, and its sensitivity. */
 static enum status_code run_model(struct surface_record *record, size_t m, const struct surface_task *asked,
                                   const struct model_task *task, struct status *status)
 {
@@ -115,21 +115,21 @@ static enum status_code run_model(struct surface_record *record, size_t m, const
     struct ensemble_result result = {.joint = &joint, .band = record->bands[m]};
     if (ensemble_curve(curve, &result, &record->ensemble, model_rows[m], task, status) != STATUS_OK)
         return status->code;
-    curve->kink.wavelength_m *= surface_kappa(&record->summary); /* as the scans have it */
+    curve->kink.wavelength_m *= surface_kappa(&record->summary); /* in the scans' lengths */
     if (curve->exists)
         joint_hold(curve->points, curve->count, &joint);
-    if (joint_curve(curve, model_rows[m], task, &joint, status) != STATUS_OK) /* of several scans, the mean curve's */
+    if (joint_curve(curve, model_rows[m], task, &joint, status) != STATUS_OK) /* for several scans, on the mean curve */
         return status->code;
     if (curve->exists)
         curve_summary_make(model, curve, model_rows[m], record->summary.asperities.sigma_m,
                            task->loads[model_task_operating(task)]);
-    struct model_task middle = surface_middle_task(task);
-    middle.flatter.strip = NULL; /* the changes are of the steeper direction */
+    struct model_task middle = model_task_at(task, &task->loads[model_task_operating(task)], 1);
+    middle.flatter.strip = NULL; /* the variants are those of the steeper direction */
     if ((several && curve_summary_put_estimates(model, result.estimates, status) != STATUS_OK) ||
         sensitivity_run(&model->sensitivity, &record->variants, model_rows[m], &middle, status) != STATUS_OK)
         return status->code;
     model->seconds = clock_seconds() - started;
-    if (several && result.scans < 2) { /* one scan alone says nothing of others */
+    if (several && result.scans < 2) { /* a single scan has no scatter */
         free(record->bands[m]);
         record->bands[m] = NULL;
     }
@@ -139,7 +139,7 @@ static enum status_code run_model(struct surface_record *record, size_t m, const
     return STATUS_OK;
 }
 
-/** Room for what the models leave. */
+/** Makes room for the models' results. */
 static enum status_code make_model_room(struct surface_record *record, const struct plan *plan, size_t load_count,
                                         struct status *status)
 {
@@ -195,7 +195,7 @@ static void note_low_pass(struct note_list *notes, const double changed[3])
     text_free(&told);
 }
 
-/** Solves the map that running models use. Where it has no answer these are taken out of the plan. */
+/** Solves the map if models use it. Without a solution they are taken out of the plan. */
 static enum status_code solve_tiles(struct surface_record *record, struct plan *plan, const struct threads *threads,
                                     struct status *status)
 {
@@ -215,13 +215,13 @@ static enum status_code solve_tiles(struct surface_record *record, struct plan *
         note_low_pass(&summary->notes, tiles->low_pass);
     if (summary->has_tiles)
         return STATUS_OK;
-    summary->tile_cost = 0; /* more of it would not help */
+    summary->tile_cost = 0; /* a larger budget would not help */
     note_add(&summary->notes, NULL, "note.no_tiles\nwhy\t%s", tiles->problem.message);
     effects_fit_models(plan, record, 1);
     return STATUS_OK;
 }
 
-/** What is to be known of the joint beside its numbers. */
+/** Notes on filler and plating. */
 static void note_joint(struct surface_record *record, const struct scene *scene, const struct plan *plan)
 {
     const struct joint *joint = &scene->joint;
@@ -235,7 +235,7 @@ static void note_joint(struct surface_record *record, const struct scene *scene,
                  joint_plating_names[joint->plating], metal->least_m * 1e6, metal->most_m * 1e6);
 }
 
-/** Runs the models that the plan calls for on a described surface, one after another. */
+/** Runs the plan's models one after another, and what depends on all of them. */
 static enum status_code curves_run(struct surface_record *record, const struct surface_task *asked,
                                    struct status *status)
 {

@@ -1,13 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the models say of one described surface: its tiles and strips solved, its curves, and all that is asked of them.
- */
+/* Runs the models on one surface: solves its map and strips, computes the curves, and answers the scene's questions. */
 #ifndef ANSWERS_CURVES_H
 #define ANSWERS_CURVES_H
 
 #include "members/surface.h"
 
-/** A described surface to its answers, by the models of the plan that it has an answer by, and the plan of its direct
- * solution where that is called for. Errors: STATUS_INTERRUPTED, STATUS_MEMORY. */
+/** Runs those models of the plan that can answer for a surface that has been read, and plans its direct study where
+ * called for. Errors: STATUS_INTERRUPTED, STATUS_MEMORY. */
 MUST_CHECK enum status_code surface_answers_find(struct surface_record *record, const struct surface_task *task,
                                                  struct status *status);
 

@@ -4,15 +4,15 @@
 #include <math.h>
 #include <stdlib.h>
 
-static const double contact_tolerance = 1e-6; /* finds the set of points that 1e-12 finds */
+static const double contact_tolerance = 1e-6; /* finds the same points in contact as 1e-12 */
 
-/** What the surfaces of a study are made of. */
+/** A study in progress. */
 struct maker {
     const struct direct_study_task *task;
     struct direct_study *study;
-    struct direct_spectrum spectrum; /* of a profile's surfaces */
+    struct direct_spectrum spectrum; /* of the surfaces made for a profile */
     struct direct_map map;
-    double work; /* that the ensembles are, all together */
+    double work; /* of all ensembles together */
 };
 
 static void tell(void *context, double work)
@@ -21,8 +21,8 @@ static void tell(void *context, double work)
     maker->task->progress(maker->task->progress_context, work, maker->work);
 }
 
-/** Surfaces made with the heights of a short scan have a top that is too flat, which shows at light loads; Gaussian
- * ones stand for it while skewness and kurtosis are nearly theirs. */
+/** Surfaces made with the height distribution of a short scan have too flat a top, which shows at light loads. So
+ * Gaussian ones are used while skewness and kurtosis are nearly Gaussian. */
 static bool is_nearly_gaussian(const struct roughness *roughness)
 {
     double kurtosis = roughness_kurtosis(roughness);
@@ -37,8 +37,8 @@ enum status_code direct_study_plan(struct surface_record *record, const struct s
     const struct plan *plan = asked->plan;
     double hardness_Pa = !isnan(scene->direct.hardness_Pa) ? scene->direct.hardness_Pa : surface->pair.hardness_Pa;
     bool capped = plan_runs(plan, EFFECT_PLASTICITY) && hardness_Pa > 0;
-    double resolved_m = 4 * surface->spacing_m; /* two points a wave is all a scan has, of which noise is half */
-    double kappa = surface->map.nx > 0 ? 1 : surface_kappa(surface); /* a map is solved as it is */
+    double resolved_m = 4 * surface->spacing_m;                      /* waves of two to four points are noisy */
+    double kappa = surface->map.nx > 0 ? 1 : surface_kappa(surface); /* a map is solved as it is, with its lay */
     const struct direct_plan_task task = {
         .direct = &scene->direct,
         .divisor = scene_load_divisor(scene, scene->direct.kind, &surface->pair),
@@ -67,7 +67,7 @@ enum status_code direct_study_plan(struct surface_record *record, const struct s
     return STATUS_OK;
 }
 
-/** The spectrum that the models are given: of the law, as every surface of it has it, or the mean of the map's rows. */
+/** The spectrum for the models: of the law, or the mean of the map's rows. */
 static enum status_code find_rows(struct maker *maker, struct status *status)
 {
     struct direct_study *study = maker->study;
@@ -119,8 +119,8 @@ static struct direct_ensemble_def ensemble_def(struct maker *maker, enum direct_
     };
 }
 
-static enum status_code solve(struct maker *maker, enum direct_study_kind kind, const struct direct_ensemble_def *def,
-                              struct status *status)
+static enum status_code solve_ensemble(struct maker *maker, enum direct_study_kind kind,
+                                       const struct direct_ensemble_def *def, struct status *status)
 {
     struct direct_ensemble ensemble;
     if (def->ladder.loads == 0)
@@ -134,7 +134,7 @@ static enum status_code solve(struct maker *maker, enum direct_study_kind kind, 
     return STATUS_OK;
 }
 
-/** The models on the surface's rows. */
+/** Runs the models on the spectrum of the rows. */
 static enum status_code run_models(struct maker *maker, struct status *status)
 {
     struct direct_study *study = maker->study;
@@ -153,10 +153,10 @@ static enum status_code run_models(struct maker *maker, struct status *status)
     asked.load_count = plan->loads;
     struct model_task ask = surface_model_task(task->surface, &asked);
     ask.rough = (struct cmy){.sigma_m = 0};
-    ask.spectrum = &study->rows; /* of a surface whose waves all are known */
+    ask.spectrum = &study->rows; /* all waves of this surface are known */
     ask.levelled = false;
     ask.asperities = has_asperities ? &asperities : NULL;
-    ask.transfer = NULL; /* the map's own solution: what models are held against here */
+    ask.transfer = NULL; /* the map's own solution is what models are compared with */
     enum status_code rc = STATUS_OK;
     for (size_t m = 0; m < model_count && rc == STATUS_OK; m++) {
         struct model_curve *curve = &study->models[m];
@@ -168,7 +168,7 @@ static enum status_code run_models(struct maker *maker, struct status *status)
     return rc;
 }
 
-static enum status_code run(struct maker *maker, struct status *status)
+static enum status_code run_study(struct maker *maker, struct status *status)
 {
     struct direct_study *study = maker->study;
     const struct surface_record *surface = maker->task->surface;
@@ -187,7 +187,7 @@ static enum status_code run(struct maker *maker, struct status *status)
         maker->work += direct_ensemble_work(&defs[kind]);
     }
     for (int kind = 0; kind < DIRECT_STUDY_KINDS; kind++)
-        if (solve(maker, (enum direct_study_kind)kind, &defs[kind], status) != STATUS_OK)
+        if (solve_ensemble(maker, (enum direct_study_kind)kind, &defs[kind], status) != STATUS_OK)
             return status->code;
     return run_models(maker, status);
 }
@@ -196,7 +196,7 @@ enum status_code direct_study_run(struct direct_study *out, const struct direct_
 {
     *out = (struct direct_study){.surface = task->index, .plan = *task->surface->summary.direct};
     struct maker maker = {.task = task, .study = out};
-    enum status_code rc = run(&maker, status);
+    enum status_code rc = run_study(&maker, status);
     direct_spectrum_free(&maker.spectrum);
     direct_map_free(&maker.map);
     if (rc != STATUS_OK)
@@ -220,7 +220,7 @@ const char *direct_study_heights(const struct direct_study *study)
     return study->plan.side > 0 ? "map" : study->plan.gaussian ? "gaussian" : "scan";
 }
 
-/** The mean that a quantity is made from; NULL: not solved. */
+/** The solved mean from which a quantity follows; NULL: not solved. */
 static const struct direct_mean *mean_of(const struct direct_study *study, enum direct_study_kind kind,
                                          enum quantity quantity, size_t i)
 {
@@ -254,7 +254,7 @@ enum direct_study_kind direct_study_kind_of(const struct direct_study *study, si
                                                                                    : DIRECT_STUDY_ELASTIC;
 }
 
-/** The model's point at load `i` on the surface solved; NULL: it has none. */
+/** The model's point at load `i`; NULL: none. */
 static const struct contact_point *point_at(const struct direct_study *study, size_t model, size_t i)
 {
     const struct model_curve *curve = &study->models[model];
@@ -296,7 +296,7 @@ size_t direct_study_nearest(const struct direct_study *study, const struct mater
 {
     size_t nearest = model_count, most = 0;
     double least = INFINITY;
-    for (size_t m = 0; m < model_count; m++) /* of those that answer at most loads: one load is no curve */
+    for (size_t m = 0; m < model_count; m++) /* a model that answers at few loads cannot be nearest */
         if (direct_study_kind_of(study, m) == DIRECT_STUDY_ELASTIC) {
             size_t loads = direct_study_distance(study, pair, m, quantity).loads;
             most = loads > most ? loads : most;

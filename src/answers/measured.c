@@ -13,7 +13,7 @@
 
 static const char *const column_keys[] = {[MEASURED_LOAD] = "load_unit", [MEASURED_RESISTANCE] = "resistance_unit"};
 
-/** Completes the file's units with the scene's; what both say has to be the same. */
+/** Takes missing units of the file from the scene; where both name one they must agree. */
 static enum status_code complete_units(struct measured_file *file, const char *name, const struct scene_measured *scene,
                                        const unsigned *quantities, struct status *status)
 {
@@ -43,7 +43,7 @@ static enum status_code complete_units(struct measured_file *file, const char *n
     return STATUS_OK;
 }
 
-/** What a column of a unit is times, to be P/(A_n E') or per nominal area. */
+/** Factor from a column's unit to P/(A_n E'), or to the resistance per nominal area. */
 static enum status_code unit_factor(double *factor, const char *name, const struct measured_unit *unit,
                                     const struct scene *scene, const struct material_pair *pair, struct status *status)
 {
@@ -59,7 +59,7 @@ static enum status_code unit_factor(double *factor, const char *name, const stru
                        load ? "loads" : "resistances", unit->text);
 }
 
-/** Adds the rows in the models' units: a run. */
+/** Adds the rows of a file, in the models' units, as a run. */
 static enum status_code add_run(struct measured *out, const struct measured_file *file, const char *name,
                                 const struct scene *scene, const struct material_pair *pair, struct status *status)
 {
@@ -151,7 +151,7 @@ enum quantity measured_quantity(const struct measured *measured, unsigned effect
     return quantity_of_key(&how, measured->thermal ? "tcr" : "ecr", effects);
 }
 
-/** The different measured loads within those of the run, ascending; returns how many. */
+/** The distinct measured loads within the task's, ascending; returns their number. */
 static size_t loads_within(double *loads, const struct measured *measured, const struct model_task *task)
 {
     size_t count = 0, kept = 0;
@@ -165,7 +165,7 @@ static size_t loads_within(double *loads, const struct measured *measured, const
     return kept;
 }
 
-/** The resistance at a load, NaN where the curve has none above 0. */
+/** The resistance at a load; NaN where the curve has none above 0. */
 static double resistance_at(const struct model_curve *curve, double load, enum quantity quantity)
 {
     for (size_t i = 0; i < curve->count; i++)
@@ -188,7 +188,7 @@ enum status_code measured_answer(struct measured_answers *out, const struct meas
     bool stored = loads && points && out->resistance;
     size_t count = stored ? loads_within(loads, measured, &task) : 0;
     struct model_task at_loads = model_task_at(&task, loads, count);
-    const unsigned own = QUANTITY_BIT(measured_quantity(measured, 0)); /* all that the models are asked */
+    const unsigned own = QUANTITY_BIT(measured_quantity(measured, 0)); /* all that is needed from the models */
     at_loads.wanted = QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | own;
     if (joint_has_bond_line(&joint))
         at_loads.wanted |= QUANTITY_BIT(QUANTITY_SEPARATION);
@@ -208,15 +208,15 @@ enum status_code measured_answer(struct measured_answers *out, const struct meas
     return rc;
 }
 
-/** The loading points that a model answers, run by run. */
+/** The loading points for which a model has an answer, run by run. */
 struct answered {
     double *ln_load, *ln_model, *ln_conductance;
     size_t *run, count, runs; /* those without a point are not counted */
 };
 
-/** Least squares of the logarithms of conductance over `by`, whose runs have each their own level; slope NaN: fitted.
- * Returns the sum of squares that it leaves, of points whose logarithms are not known better than 1e-9. */
-static double leaves(double *slope, double *spread, const double *by, const double *of, const struct answered *points)
+/** Least squares of ln conductance over `by`, each run with its own level; a slope of NaN is fitted. Returns the
+ * residual sum of squares, at least that of errors of 1e-9 in the logarithms. */
+static double residual(double *slope, double *spread, const double *by, const double *of, const struct answered *points)
 {
     const size_t *run = points->run, count = points->count;
     double xx = 0, xy = 0, yy = 0;
@@ -240,9 +240,9 @@ static double leaves(double *slope, double *spread, const double *by, const doub
     return fmax(yy - 2 * *slope * xy + *slope * *slope * xx, 1e-18 * (double)count);
 }
 
-/** The squares that a resistance in series with the model's leaves of the logarithms: R = a R_model + b, a of each run,
- * b >= 0 of all, the best of SERIES_STEPS that come ever nearer to the least that was measured. */
-static double leaves_in_series(const struct answered *points)
+/** Residual sum of squares of ln R with a resistance in series: R = a R_model + b, a for each run, b >= 0 for all; the
+ * best of SERIES_STEPS values of b that approach the least measured resistance. */
+static double series_residual(const struct answered *points)
 {
     enum { SERIES_STEPS = 100 };
     double least_ohm = INFINITY, best = INFINITY;
@@ -267,18 +267,18 @@ static double leaves_in_series(const struct answered *points)
     return best;
 }
 
-/** How the conductance grows, and whether parts that are not flat are what explains it. */
+/** Fits the exponents, and decides whether parts that are not flat explain their difference. */
 static void find_exponent(struct measured_exponent *out, const struct answered *of)
 {
     static const double clear = 0.08, as_well = 1.5;
     const double freedom = (double)(of->count - of->runs) - 1;
     double spread;
     *out = (struct measured_exponent){.measured = NAN, .model = NAN};
-    const double least = leaves(&out->measured, &spread, of->ln_load, of->ln_conductance, of);
+    const double least = residual(&out->measured, &spread, of->ln_load, of->ln_conductance, of);
     out->sd = sqrt(least / freedom / spread);
-    leaves(&out->model, &spread, of->ln_load, of->ln_model, of);
+    residual(&out->model, &spread, of->ln_load, of->ln_model, of);
     const double error = interval_quantile(estimate_level, freedom) * out->sd;
-    out->not_flat = out->measured + error + clear < out->model && leaves_in_series(of) > as_well * least;
+    out->not_flat = out->measured + error + clear < out->model && series_residual(of) > as_well * least;
 }
 
 enum status_code measured_fit(struct measured_answers *out, const struct measured *measured, size_t m,
@@ -301,7 +301,7 @@ enum status_code measured_fit(struct measured_answers *out, const struct measure
             double model = out->resistance[m * most + i];
             if (isnan(model))
                 continue;
-            ratio[of.count] = model / measured->resistance[i]; /* of conductances: measured over predicted */
+            ratio[of.count] = model / measured->resistance[i]; /* measured over modelled conductance */
             sum += log(ratio[of.count]);
             of.ln_load[of.count] = log(measured->load[i]);
             of.ln_model[of.count] = -log(model);

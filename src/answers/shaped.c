@@ -8,24 +8,24 @@
 #include <string.h>
 
 enum {
-    CELLS = 32,  /* a side of a quarter of the area, the others being its mirror images */
-    NODES = 240, /* pressures of the model's curve */
-    LOADS = 31   /* between which the resistances are within .5 % of those of twice as many */
+    CELLS = 32,  /* a side of one quarter of the area; the others are its mirror images */
+    NODES = 240, /* points of the model's curve, at most */
+    LOADS = 31   /* resistances interpolated between them are within 0.5 % of those from twice as many */
 };
 static const double nodes_per_decade = 12;
-static const double lighter = 1e-3;      /* than the lightest load, where the curve begins */
-static const double beyond = 1.02;       /* the loads on either side, so that all of them lie within */
-static const double carrying = 0.9;      /* share of the load that the area carries which is said to carry it */
-static const double no_pressure = 1e-12; /* over the mean one */
+static const double lighter = 1e-3;      /* the curve begins at this times the lightest load */
+static const double beyond = 1.02;       /* beyond the first and the last load, so that all lie within */
+static const double carrying = 0.9;      /* the reported area carries this share of the load */
+static const double no_pressure = 1e-12; /* over the mean pressure */
 const double shaped_usual_flatness = 1e-4;
 
 /** Values over rising pressures or loads. */
 struct table {
     size_t count;
-    double at[NODES], value[1 + JOINT_WAYS][NODES]; /* gap, or area; of the ways heat and current take */
+    double at[NODES], value[1 + JOINT_WAYS][NODES]; /* gap or area; then by JOINT_WAYS */
 };
 
-/** Every `step`-th point of a curve, of those that have a gap and conduct that way; what they conduct of current. */
+/** Takes every `step`-th point of a curve that has a gap and a conductance `way`. */
 static void take_points(struct table *out, const struct model_curve *curve, size_t step, const struct joint_task *joint,
                         int way)
 {
@@ -41,7 +41,7 @@ static void take_points(struct table *out, const struct model_curve *curve, size
     }
 }
 
-/** The model's own curve, of the points that have all that is asked. */
+/** Computes the model's curve over all local pressures. */
 static enum status_code own_curve(struct table *out, const struct surface_record *record, size_t m,
                                   const struct model_task *task, const struct joint_task *joint, struct status *status)
 {
@@ -61,7 +61,7 @@ static enum status_code own_curve(struct table *out, const struct surface_record
         joint_hold(points, curve.count, joint);
     if (rc == STATUS_OK)
         rc = joint_curve(&curve, model_rows[m], &dense, joint, status);
-    for (size_t i = 0; curve.exists && i < curve.count && i < count; i++) /* a bond line has no spring of its own */
+    for (size_t i = 0; curve.exists && i < curve.count && i < count; i++) /* a bond line adds no stiffness */
         points[i].value[QUANTITY_SEPARATION] = own_gap_m[i];
     if (rc == STATUS_OK && curve.exists)
         take_points(out, &curve, 1, joint, JOINT_HEAT);
@@ -69,13 +69,13 @@ static enum status_code own_curve(struct table *out, const struct surface_record
     return rc;
 }
 
-/** One surface's model in every cell. */
+/** The cells of the nominal area, with a model's curve. */
 struct cells {
     const struct joint *joint;
     struct shape shape;
     struct shape_curve gap, conductance[JOINT_WAYS];
     double quarter_m[CELLS * CELLS], hardness_Pa;
-    const double *gap_m; /* that, or the joint's field */
+    const double *gap_m; /* quarter_m, or the joint's field */
     struct shape_body bodies[JOINT_WAYS][2];
 };
 
@@ -98,7 +98,7 @@ static enum status_code lay_out(struct cells *out, const struct joint *joint, co
         out->bodies[JOINT_HEAT][side] = (struct shape_body){1 / pair->side_conductivity_W_per_mK[side], thickness_m};
         out->bodies[JOINT_CURRENT][side] = (struct shape_body){pair->side_resistivity_ohm_m[side], thickness_m};
     }
-    size_t current = 0; /* a plating has no factor where spots meet, and resistance stays as there */
+    size_t current = 0; /* no plating factor once spots meet: the resistance stays as at that point */
     while (current < own->count && own->value[1 + JOINT_CURRENT][current] > 0 &&
            isfinite(own->value[1 + JOINT_CURRENT][current]))
         current++;
@@ -120,13 +120,13 @@ static void cells_free(struct cells *cells)
         shape_curve_free(&cells->conductance[way]);
 }
 
-/** What one load has: the share of the area that carries it, that of the load which yields, and for each way the
- * resistance times the area and the spots' share of it. */
+/** The solution at one load: share of the area that carries it, share of the load that lies at the hardness, and for
+ * each way the resistance times area and the spots' share of it. */
 struct solved {
     double area, yielding_load, whole[JOINT_WAYS], spots[JOINT_WAYS];
 };
 
-/** Parts of the area without a place: side by side, each with its pressure all over; the rest of it has none. */
+/** Pressures given for shares of the area: side by side, each uniform; the rest of the area carries nothing. */
 static enum status_code solve_parts(struct solved *out, struct cells *cells, double mean_Pa, struct status *status)
 {
     const struct shape_field *field = cells->joint->fields;
@@ -152,7 +152,7 @@ static enum status_code solve_parts(struct solved *out, struct cells *cells, dou
     return STATUS_OK;
 }
 
-/** Pressures that are given, none above the hardness. */
+/** Sets given pressures, capped at the hardness. */
 static void give_pressures(struct cells *cells, double mean_Pa)
 {
     struct shape *shape = &cells->shape;
@@ -187,7 +187,7 @@ static enum status_code solve_one(struct solved *out, struct cells *cells, const
     return STATUS_OK;
 }
 
-/** Mean pressures of rings about the middle, at the operating load, where that has an answer; else 0. */
+/** Mean pressures of rings about the middle at the operating load; 0 without a solution. */
 static enum status_code take_rings(struct joint_shape *out, struct cells *cells, const struct model_task *task,
                                    struct status *status)
 {
@@ -210,8 +210,8 @@ static enum status_code take_rings(struct joint_shape *out, struct cells *cells,
     return STATUS_OK;
 }
 
-/** Says what to do where there is no answer: at a pressure, or at none (NaN) of the model's own curve. */
-static enum status_code no_answer(double pressure_Pa, struct status *status)
+/** Adds to the error what to do: at this pressure, or NaN: for the whole curve. */
+static enum status_code explain(double pressure_Pa, struct status *status)
 {
     const struct status problem = *status;
     if (problem.code != STATUS_MODEL)
@@ -223,9 +223,9 @@ static enum status_code no_answer(double pressure_Pa, struct status *status)
                        pressure_Pa * 1e-6, problem.message);
 }
 
-/** All loads, and the resistances there. */
-static enum status_code solve(struct joint_shape *out, struct cells *cells, const struct model_task *task,
-                              struct status *status)
+/** Solves all loads, and tabulates the resistances. */
+static enum status_code solve_loads(struct joint_shape *out, struct cells *cells, const struct model_task *task,
+                                    struct status *status)
 {
     struct table area = {0}, flat = {0}, over = {0}, spots = {0};
     const double first = task->loads[0] / beyond, last = task->loads[task->load_count - 1] * beyond;
@@ -237,7 +237,7 @@ static enum status_code solve(struct joint_shape *out, struct cells *cells, cons
         if (!(pressure_Pa < cells->hardness_Pa))
             break;
         if (solve_one(&at, cells, task, pressure_Pa, status) != STATUS_OK)
-            return no_answer(pressure_Pa, status);
+            return explain(pressure_Pa, status);
         if (at.yielding_load > shape_yielding_most) {
             yields_Pa = pressure_Pa;
             break;
@@ -288,11 +288,11 @@ enum status_code shaped_make(struct surface_record *record, size_t m, const stru
     if (rc == STATUS_OK) {
         cells->hardness_Pa = model_rows[m]->plastic ? task->hardness_Pa : INFINITY;
         if (lay_out(cells, &asked->scene->joint, own, task, &problem) != STATUS_OK)
-            rc = no_answer(NAN, &problem);
+            rc = explain(NAN, &problem);
     }
     out = record->shapes ? &record->shapes[m] : NULL;
     if (rc == STATUS_OK)
-        rc = solve(out, cells, task, &problem);
+        rc = solve_loads(out, cells, task, &problem);
     if (cells)
         cells_free(cells);
     free(cells);
@@ -323,7 +323,7 @@ double shaped_usual_factor(const struct model_curve *curve, const struct model_r
         cells->hardness_Pa = row->plastic ? joint->pair->hardness_Pa : INFINITY;
     }
     if (own && cells && mean_Pa < cells->hardness_Pa && lay_out(cells, &bulge, own, &task, &status) == STATUS_OK) {
-        memcpy(cells->bodies[JOINT_HEAT], cells->bodies[way], sizeof *cells->bodies); /* all that is asked */
+        memcpy(cells->bodies[JOINT_HEAT], cells->bodies[way], sizeof *cells->bodies); /* the only way that is needed */
         shape_curve_free(&cells->conductance[JOINT_CURRENT]);
         if (solve_one(&at, cells, &task, mean_Pa, &status) == STATUS_OK && at.yielding_load <= shape_yielding_most &&
             shape_spread(&cells->shape, cells->hardness_Pa).largest_Pa <= own->at[own->count - 1])

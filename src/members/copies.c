@@ -7,8 +7,8 @@
 
 static const double same_spacing = 1e-4; /* relative: formats write few digits */
 static const double same_rq = 0.02;
-static const double same_height = 1e-3; /* of Rq: digits that are written, of rounding too fine to be seen */
-static const double rounded_most = 0.1; /* of Rq: what is rounded more coarsely tells nothing */
+static const double same_height = 1e-3; /* of Rq: allows for digits lost in writing, where no rounding step was seen */
+static const double rounded_most = 0.1; /* of Rq: more coarsely rounded heights cannot be compared */
 
 void copies_free(struct copies *copies)
 {

@@ -6,8 +6,8 @@
 #include <string.h>
 
 static const double beyond_fit_share = 0.1;
-static const double elbow_slope = 2;  /* twice the slope before it */
-static const double slope_area = 0.1; /* A/A_n up to which the area is held to be a power of the load */
+static const double elbow_slope = 2;  /* of -ln ECR over ln P: light loads have about 1 */
+static const double slope_area = 0.1; /* A/A_n up to which the area goes as a power of the load */
 
 /** Least-squares slope of ln A over ln P where A/A_n < 0.1. */
 static void fit_area_slope(struct curve_summary *model, const struct model_curve *curve)
@@ -95,10 +95,10 @@ void curve_summary_make(struct curve_summary *model, const struct model_curve *c
             model->operating = *point;
         model->most_beyond_fit = fmax(model->most_beyond_fit, point->beyond_fit);
         model->most_radius_clamped = fmax(model->most_radius_clamped, point->radius_clamped);
-        if (point->value[QUANTITY_TCR] > 0) /* of a number and NaN, the number */
+        if (point->value[QUANTITY_TCR] > 0) /* fmax() ignores NaN */
             model->sd_most =
                 fmax(model->sd_most, point->value[QUANTITY_TCR_SCALE_DEPENDENT] / point->value[QUANTITY_TCR] - 1);
-        /* a load where the resistance has gone to 0 ends the elbow too */
+        /* a resistance that falls to 0 is an elbow too */
         if (before && before->value[QUANTITY_ECR] > 0 && !isnan(point->value[QUANTITY_ECR]) &&
             isnan(model->elbow_load) &&
             !(point->value[QUANTITY_ECR] > 0 &&

@@ -154,7 +154,7 @@ enum status_code ensemble_estimate(struct estimate *out, const struct ensemble *
         double sum = 0, first = logarithmic ? log(value[i]) : value[i];
         for (end = i; end < count && scan[end] == scan[i]; end++)
             sum += (logarithmic ? log(value[end]) : value[end]) - first;
-        double own = first + sum / (double)(end - i); /* equal values have this very mean */
+        double own = first + sum / (double)(end - i); /* equal values give exactly themselves */
         mean[scans] = end == i + 1 ? value[i] : logarithmic ? exp(own) : own;
         weight[scans] = set->scans[scan[i]].weight;
     }
@@ -217,16 +217,16 @@ struct ensemble_band *ensemble_band_make(const double *loads, size_t count)
     return band;
 }
 
-/** What a mean is of. */
+/** The curves that are averaged. */
 struct mean {
     const struct ensemble_curves *curves;
     const struct ensemble *set;
     const struct model_row *model;
     const struct model_task *task;
-    const struct model_curve *joined; /* the curve of all rows in one strip, or of the textbook; NULL of other models */
+    const struct model_curve *joined; /* of all rows in one strip, or of the textbook model; NULL: other models */
 };
 
-/** The mean of what is in curves->value. Where nothing is left of a positive quantity in any of them, that is it. */
+/** Mean of the numbers in curves->value; where a positive quantity is 0 in all of them, 0. */
 static enum status_code mean_of(double *mean, struct estimate *estimate, const struct mean *of, bool logarithmic,
                                 struct status *status)
 {
@@ -241,7 +241,7 @@ static enum status_code mean_of(double *mean, struct estimate *estimate, const s
     return STATUS_OK;
 }
 
-/** Mean of the number at `offset` in each curve. */
+/** Mean of the number at byte `offset` of each struct model_curve. */
 static enum status_code mean_number(double *mean, struct estimate *estimate, const struct mean *of, size_t offset,
                                     bool logarithmic, struct status *status)
 {
@@ -250,14 +250,14 @@ static enum status_code mean_number(double *mean, struct estimate *estimate, con
     return mean_of(mean, estimate, of, logarithmic, status);
 }
 
-/** Point `at` of a curve; SIZE_MAX: that of full contact. */
+/** Point `at` of a curve; SIZE_MAX: full contact. */
 static const struct contact_point *point_of(const struct ensemble_curves *curves, size_t r, size_t at)
 {
     return at == SIZE_MAX ? &curves->curves[r].full : &curves->curves[r].points[at];
 }
 
-/** Fills the quantities of `out` from point `at` of every curve. estimates: NULL, or QUANTITY_COUNT; lengths over
- * sigma. */
+/** Fills the quantities of `out` with the means over point `at` of all curves. estimates: NULL, or QUANTITY_COUNT of
+ * them; lengths are over sigma. */
 static enum status_code mean_point(struct contact_point *out, struct estimate *estimates, const struct mean *of,
                                    size_t at, struct status *status)
 {
@@ -271,13 +271,14 @@ static enum status_code mean_point(struct contact_point *out, struct estimate *e
         double mean = NAN;
         *estimate = estimate_none;
         if (row->from && isnan(point_of(curves, 0, at)->value[q]))
-            continue; /* not asked, or not known */
+            continue; /* not asked for, or not known */
         for (size_t r = 0; r < curves->count; r++)
             curves->value[r] = point_of(curves, r, at)->value[q] / (row->sigma_column ? curves->sigma_m[r] : 1);
         if (mean_of(&mean, estimate, of, logarithmic, status) != STATUS_OK)
             return status->code;
-        out->value[q] =
-            row->from ? NAN : mean * (row->sigma_column ? of->set->sigma_m : 1); /* joint_apply() fills it */
+        out->value[q] = row->from ? NAN
+                                  : mean * (row->sigma_column ? of->set->sigma_m
+                                                              : 1); /* joint_apply() fills in what depends on others */
     }
     for (size_t r = 0; r < curves->count; r++)
         curves->value[r] = point_of(curves, r, at)->beyond_fit;
@@ -288,8 +289,8 @@ static enum status_code mean_point(struct contact_point *out, struct estimate *e
     return mean_of(&out->radius_clamped, &unused, of, false, status);
 }
 
-/** Have all curves a point at load i of the task, not one of their own, and half of them or more one that is not
- * carried on? */
+/** Do all curves have a point at load i of the task, and at least half of them one that is not merely the last value
+ * kept? */
 static bool all_reach(const struct ensemble_curves *curves, size_t i, double load)
 {
     size_t carried = 0;
@@ -302,7 +303,7 @@ static bool all_reach(const struct ensemble_curves *curves, size_t i, double loa
     return 2 * carried <= curves->count;
 }
 
-/** Does every curve end with its own point of full contact? */
+/** Does every curve end at full contact? */
 static bool all_close(const struct ensemble_curves *curves)
 {
     for (size_t r = 0; r < curves->count; r++) {
@@ -324,7 +325,7 @@ static void fill_band(struct ensemble_band *band, const struct estimate *estimat
         }
 }
 
-/** Moves a point of the mean towards the joined rows' by `share` of the way in the logarithm. */
+/** Moves a point by `share` of the way, in logarithms, towards that of the joined rows. */
 static void join(struct contact_point *point, struct estimate *estimates, const struct contact_point *joined,
                  double share)
 {
@@ -342,7 +343,7 @@ void ensemble_hold(struct estimate estimates[QUANTITY_COUNT], const struct conta
 {
     for (int q = QUANTITY_AREA; q < QUANTITY_COUNT && joint_is_held(point, joint); q++) {
         bool filler = q == QUANTITY_GAP || q == QUANTITY_JOINT;
-        if (filler && !(point->value[QUANTITY_AREA] > 0)) /* as sure as what the scene says of it */
+        if (filler && !(point->value[QUANTITY_AREA] > 0)) /* the filler alone, which does not scatter */
             estimates[q].s = estimates[q].half_width = estimates[q].next_half_width = estimates[q].model_sd = 0;
         else if (q <= QUANTITY_TCR_SCALE_DEPENDENT && point->value[QUANTITY_AREA] > 0 && q != QUANTITY_SEPARATION &&
                  q != QUANTITY_ADJUSTED)
@@ -355,8 +356,11 @@ void ensemble_hold(struct estimate estimates[QUANTITY_COUNT], const struct conta
 void ensemble_settle(struct estimate estimates[QUANTITY_COUNT], const struct contact_point *point,
                      const struct model_row *model, const struct joint_task *joint, struct scans_reach reach)
 {
-    double sd[QUANTITY_COUNT], pressure_Pa = material_pair_pressure(joint->pair, point->value[QUANTITY_LOAD]);
+    const double over_hardness =
+        material_pair_pressure(joint->pair, point->value[QUANTITY_LOAD]) / joint->pair->hardness_Pa;
+    double sd[QUANTITY_COUNT], bound[QUANTITY_COUNT][2];
     joint_model_sd(sd, point, model, joint, reach);
+    joint_bounds(bound, point, model, joint);
     for (int q = 0; q < QUANTITY_COUNT; q++) {
         estimates[q].model_sd = sd[q];
         if (quantity_rows[q].from && point->value[q] > 0)
@@ -364,15 +368,12 @@ void ensemble_settle(struct estimate estimates[QUANTITY_COUNT], const struct con
         else if (quantity_rows[q].from)
             estimates[q] = estimate_none;
     }
-    double bound[QUANTITY_COUNT][2];
-    joint_bounds(bound, point, model, joint);
     for (int q = 0; q < QUANTITY_COUNT; q++)
         memcpy(estimates[q].bound, bound[q], sizeof bound[q]);
     ensemble_hold(estimates, point, joint);
-    if (model_area_is_pressed(model, point, pressure_Pa / joint->pair->hardness_Pa))
+    if (model_area_is_pressed(model, point, over_hardness))
         estimates[QUANTITY_AREA].half_width = estimates[QUANTITY_AREA].next_half_width = NAN;
-    bool yields = (joint->effects & EFFECT_BIT(EFFECT_PLASTICITY)) &&
-                  model_is_overloaded(model, point, pressure_Pa / joint->pair->hardness_Pa);
+    bool yields = (joint->effects & EFFECT_BIT(EFFECT_PLASTICITY)) && model_is_overloaded(model, point, over_hardness);
     for (int q = 0; q < QUANTITY_COUNT && yields; q++)
         estimates[q].half_width = estimates[q].next_half_width = NAN;
 }
@@ -430,7 +431,7 @@ enum status_code ensemble_curve(struct model_curve *curve, struct ensemble_resul
     for (int q = 0; q < CURVE_ESTIMATES; q++)
         result->estimates[q] = estimate_none;
     struct model_task each = *task;
-    each.carries_on = true; /* one scan that closes early takes nothing from the others */
+    each.carries_on = true; /* a scan that reaches full contact early must not end the others' mean */
     enum status_code rc = ensemble_run(&curves, set, model, &each, result->joint, status);
     curve->evaluations = curves.evaluations;
     curve->overflows = curves.overflows;

@@ -5,15 +5,15 @@
 #include <math.h>
 #include <stdlib.h>
 
-static const double tolerance = 1e-4;   /* of a picture, and of spots whose edges are points */
-static const double at_hardness = 1e-6; /* nearer than that of it */
+static const double tolerance = 1e-4;   /* enough for a picture and for spots that are counted in points */
+static const double at_hardness = 1e-6; /* relative: a pressure this near to the hardness has reached it */
 
-/** A contact's points, and what has been done with them. */
+/** The points of a contact while its spots are collected. */
 struct field {
     const struct direct_contact *contact;
     size_t n;
-    uint8_t *left; /* in contact, and in no spot yet */
-    uint32_t *at;  /* of the spot in hand */
+    uint8_t *left; /* is in contact, and not in a spot yet */
+    uint32_t *at;  /* the points of the current spot */
 };
 
 static double pressure_at(const struct field *field, size_t k)
@@ -21,7 +21,7 @@ static double pressure_at(const struct field *field, size_t k)
     return field->contact->pressure[k / field->n * field->contact->kernel.stride + k % field->n];
 }
 
-/** The spot that point k is in, all of whose points are taken. */
+/** The spot that holds point k; takes all of its points. */
 static struct map_spot take_spot(struct field *field, size_t k)
 {
     const size_t n = field->n;
@@ -30,7 +30,7 @@ static struct map_spot take_spot(struct field *field, size_t k)
     const double first_x = (double)(k % n), first_y = (double)(k / n);
     struct map_spot out = {0};
     size_t count = 0;
-    double x = 0, y = 0; /* sums of distances from the first, the shorter way around */
+    double x = 0, y = 0; /* sums of distances from the first point, the shorter way around */
     field->left[k] = 0;
     field->at[count++] = (uint32_t)k;
     for (size_t i = 0; i < count; i++) {
@@ -74,9 +74,9 @@ static enum status_code take_spots(struct map_contact *out, struct field *field,
     return STATUS_OK;
 }
 
-/** Cells, section and spots of what is solved. */
-static enum status_code look(struct map_contact *out, const struct direct_map *map, struct field *field,
-                             double hardness, struct status *status)
+/** Cells, section and spots of the solution. */
+static enum status_code draw_contact(struct map_contact *out, const struct direct_map *map, struct field *field,
+                                     double hardness, struct status *status)
 {
     const size_t n = field->n, block = (n + MAP_CONTACT_CELLS - 1) / MAP_CONTACT_CELLS, cells = n / block;
     double most = -1;
@@ -116,8 +116,8 @@ static enum status_code look(struct map_contact *out, const struct direct_map *m
     return take_spots(out, field, touching, status);
 }
 
-static enum status_code solve(struct map_contact *out, const struct direct_map *map,
-                              const struct direct_contact_load *load, struct status *status)
+static enum status_code solve_square(struct map_contact *out, const struct direct_map *map,
+                                     const struct direct_contact_load *load, struct status *status)
 {
     struct direct_contact contact;
     const size_t n = map->grid.nx;
@@ -129,7 +129,7 @@ static enum status_code solve(struct map_contact *out, const struct direct_map *
             for (size_t k = 0; k < n * n; k++)
                 field.left[k] = touching[k];
             out->area_ratio = direct_quantities_of(&contact, load).area_ratio;
-            rc = look(out, map, &field, load->hardness, status);
+            rc = draw_contact(out, map, &field, load->hardness, status);
         }
         direct_contact_free(&contact);
     }
@@ -143,7 +143,7 @@ enum status_code map_contact_find(struct map_contact *out, const struct tiles *t
 {
     const struct direct_map_def *def = &tiles->def;
     const size_t x = tiles->columns > 1 ? 0 : (def->nx - tiles->side) / 2,
-                 y = tiles->rows > 1 ? 0 : (def->ny - tiles->side) / 2; /* as the first square that is solved */
+                 y = tiles->rows > 1 ? 0 : (def->ny - tiles->side) / 2; /* where the first square begins */
     const struct direct_contact_load task = {load, hardness, tolerance, false, stop};
     struct direct_map map;
     struct status problem = {0};
@@ -151,7 +151,7 @@ enum status_code map_contact_find(struct map_contact *out, const struct tiles *t
         .points = tiles->side, .spacing_m = def->dx_m, .from_m = {(double)x * def->dx_m, (double)y * def->dx_m}};
     enum status_code rc = direct_map_make(&map, tiles->height_m + y * def->nx + x, def, tiles->side, &problem);
     if (rc == STATUS_OK) {
-        rc = solve(out, &map, &task, &problem);
+        rc = solve_square(out, &map, &task, &problem);
         direct_map_free(&map);
     }
     if (rc != STATUS_OK)

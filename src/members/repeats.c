@@ -17,7 +17,7 @@ enum status_code repeats_add_scan(struct ensemble *set, const char *file, struct
     return STATUS_OK;
 }
 
-/** Evenly: STRIPS_PIECES of the rows, or all where they are no more. */
+/** Is the row one of STRIPS_PIECES evenly spaced ones? Of fewer rows all are. */
 static bool row_is_member(size_t row, size_t rows)
 {
     return (STRIPS_PIECES * (row + 1) + rows / 2) / rows > (STRIPS_PIECES * row + rows / 2) / rows;
@@ -41,7 +41,7 @@ enum status_code repeats_add(struct ensemble *set, size_t row, size_t rows, stru
     return STATUS_OK;
 }
 
-/** Adds subrecords of `points` of one scan to `cut`. */
+/** Adds one scan to `cut` as pieces of `points`. */
 static enum status_code cut_scan(struct ensemble *cut, const struct member *scan, size_t points,
                                  const struct scene *scene, struct status *status)
 {
@@ -87,20 +87,6 @@ enum status_code repeats_cut_to_shortest(struct ensemble *set, size_t *cut, cons
     return rc;
 }
 
-static enum status_code align(struct ensemble *set, const struct spectrum *mean, struct status *status)
-{
-    for (size_t p = 0; p < set->count; p++) {
-        struct spectrum *own = &set->members[p].spectrum, same;
-        if (own->count == mean->count && fabs(own->length_m / mean->length_m - 1) < 1e-6)
-            continue;
-        if (grid_spectrum(&same, own, mean->length_m, mean->count, status) != STATUS_OK)
-            return status->code;
-        spectrum_free(own);
-        *own = same;
-    }
-    return STATUS_OK;
-}
-
 enum status_code repeats_compare(struct repeats *out, struct ensemble *set, const struct spectrum *mean,
                                  struct status *status)
 {
@@ -109,14 +95,20 @@ enum status_code repeats_compare(struct repeats *out, struct ensemble *set, cons
     out->count = set->count;
     out->scans = set->scan_count;
     out->gamma = out->psd_m3 = estimate_none;
-    if (align(set, mean, status) != STATUS_OK)
-        return status->code;
-    double *rq_m = malloc((set->count + 1) * sizeof *rq_m);
-    size_t *scan = malloc((set->count + 1) * sizeof *scan);
+    double *rq_m = malloc(set->count * sizeof *rq_m);
+    size_t *scan = malloc(set->count * sizeof *scan);
     enum status_code rc = rq_m && scan ? STATUS_OK : status_memory(status);
     for (size_t p = 0; p < set->count && rc == STATUS_OK; p++) {
+        struct spectrum *own = &set->members[p].spectrum, same;
         rq_m[p] = set->members[p].roughness.rq_m;
         scan[p] = set->members[p].scan;
+        if (own->count == mean->count && fabs(own->length_m / mean->length_m - 1) < 1e-6)
+            continue;
+        rc = grid_spectrum(&same, own, mean->length_m, mean->count, status);
+        if (rc == STATUS_OK) {
+            spectrum_free(own);
+            *own = same;
+        }
     }
     if (rc == STATUS_OK)
         rc = ensemble_estimate(&out->rq_m, set, &(struct ensemble_values){rq_m, scan, set->count}, true, status);

@@ -7,8 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/** Largest prime factor of the points of a row that does not close on itself: of 512 or more up to 2 % are left out for
- * it; with a factor of 107 a transform would take four times as long. */
+/** Largest prime factor allowed in the number of points of an open row: of 512 or more points up to 2 % are left out to
+ * get there. With a factor of 107 a transform would take four times as long. */
 enum { ROW_FACTOR = 13 };
 
 void strips_free(struct strips *strips)
@@ -19,7 +19,7 @@ void strips_free(struct strips *strips)
     *strips = (struct strips){.height_m = NULL};
 }
 
-/** Has a member all of the `points`, and the first one's spacing? Rows of a map may lack some at their ends. */
+/** Has a member all `points`, at this spacing? Rows of a map may lack some at their ends. */
 static bool is_whole(const struct member *member, size_t points, double spacing_m)
 {
     return member->height_m && member->points == points && fabs(member->spacing_m / spacing_m - 1) <= 1e-6;
@@ -30,7 +30,7 @@ static size_t least(size_t a, size_t b)
     return a < b ? a : b;
 }
 
-/** Times that each of so many rows is paired. */
+/** How often each of `rows` rows is paired. */
 static size_t pairings_of(size_t rows)
 {
     return (STRIPS_PAIRINGS + rows - 1) / rows;
@@ -55,7 +55,7 @@ enum status_code strips_gather(struct strips *out, struct ensemble *set, bool pa
     size_t length = !fits ? least(points, STRIPS_PIECE_POINTS) : periodic ? points : fft_quick(points, ROW_FACTOR);
     size_t pieces = fits ? whole : least(STRIPS_PIECES, STRIPS_POINTS / length);
     size_t scans = least(whole, pieces), each = pieces / scans;
-    each = each > 2 ? 3 * each / 4 : each; /* the others move its answer by .1, and cost a third more */
+    each = each > 2 ? 3 * each / 4 : each; /* the rest would cost a third more and change the answer by 0.1 */
     size_t spread = each > 1 ? each : scans;
     if (!(out->height_m = malloc(scans * each * length * sizeof *out->height_m)) ||
         !(out->seed = malloc(scans * each * sizeof *out->seed)))
@@ -85,7 +85,7 @@ enum status_code strips_gather(struct strips *out, struct ensemble *set, bool pa
     return STATUS_OK;
 }
 
-/** Height of a row at `place` points from its beginning, wherever that is. */
+/** Height of a row `place` points from its beginning, also beyond its end. */
 static double height_at(const struct strip_rows *rows, size_t row, double place)
 {
     const double *height_m = rows->height_m + row * rows->points;
@@ -156,7 +156,8 @@ enum status_code strips_pair(struct strips *strips, struct ensemble *set, const 
     return STATUS_OK;
 }
 
-/** A strip of these rows, malloc'ed; NULL where it has no answer. What the strips count is in the order of turns. */
+/** Solves these rows as a strip, malloc'ed; NULL without a solution. Costs and problems are recorded in the order of
+ * turns, whatever the threads. */
 static enum status_code solve(struct solved_strip **out, struct strips *strips, size_t first, size_t count,
                               const struct threads *threads, struct threads_turn *turn, struct status *status)
 {

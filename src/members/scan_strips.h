@@ -1,51 +1,51 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The strips of a surface (strip.h): pieces of its scans joined, and those of each scan alone. What they take is
- * bounded by how many there are, whatever there is of scans and of points. */
+/* The strips of a surface (strip.h): pieces of all its scans joined, and pieces of each scan alone. The number of
+ * pieces is limited, so that time and memory do not grow with the scans. */
 #ifndef MEMBERS_SCAN_STRIPS_H
 #define MEMBERS_SCAN_STRIPS_H
 
 #include "members/ensemble.h"
 
 enum {
-    STRIPS_PIECES = 24,         /* in one strip, at most; more rows of a surface make its answer no better */
-    STRIPS_POINTS = 65536,      /* of all of them */
-    STRIPS_PIECE_POINTS = 8192, /* of one that is no whole scan */
+    STRIPS_PIECES = 24,         /* at most, in one strip; more rows do not improve the answer */
+    STRIPS_POINTS = 65536,      /* at most, of all pieces together */
+    STRIPS_PIECE_POINTS = 8192, /* of a piece that is not a whole scan */
     STRIPS_PAIRINGS = 8
 };
 
 /** Owned: strips_free(). */
 struct strips {
-    struct strip_rows rows;      /* levelled with their scans, those of a member next to each other; rows 0: none */
-    double *height_m;            /* theirs */
-    uint64_t *seed;              /* and a seed of each: its member's and its place in it */
+    struct strip_rows rows;      /* levelled with their scans; a member's rows are adjacent; rows 0: none */
+    double *height_m;            /* of the rows */
+    uint64_t *seed;              /* of each row, from its member and its place there */
     struct solved_strip *joined; /* all rows in one strip; NULL: not solved */
-    struct status problem;       /* why it is not */
-    bool roughly;                /* only the scatter of the members' answers is asked: STRIP_ROUGHLY */
-    bool in_part;                /* of scans, not all, or not whole */
-    size_t unsolved;             /* loads at which solutions did not converge, which are left out */
-    uint64_t transforms;         /* pairs of transforms times points that solving took */
+    struct status problem;       /* why not */
+    bool roughly;                /* only the members' scatter is needed: STRIP_ROUGHLY */
+    bool in_part;                /* some scans are left out or shortened */
+    size_t unsolved;             /* loads left out because no solution converged */
+    uint64_t transforms;         /* cost of solving: pairs of transforms times points */
 };
 void strips_free(struct strips *strips);
 
-/** Takes the rows from members that keep their heights, and says in each which are of it; none where they differ in
- * points or spacing. Whole scans where they are STRIPS_PIECES with STRIPS_POINTS at most, of open ones less the points
- * that make their transforms slow; else pieces: of as many scans, evenly chosen, as a strip holds, one of each, its
- * place going evenly from the first scan's beginning to the last one's end; of fewer scans evenly spread windows of
- * each, six of one or two scans. paired: each will be, STRIPS_PAIRINGS times in all or more. Error: STATUS_MEMORY. */
+/** Takes the rows from members that keep their heights, and notes in each member which are its own. No rows where
+ * members differ in points or spacing. At most STRIPS_PIECES scans of STRIPS_POINTS together are taken whole (open ones
+ * without the last points, if their transforms are slow otherwise). Of more, pieces are taken: one of each of as many
+ * evenly chosen scans as a strip holds, from the beginning of the first to the end of the last; of few scans several
+ * evenly spaced windows each, six in all of one or two scans. paired: every row will be paired with another body's, at
+ * least STRIPS_PAIRINGS pairs in all. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code strips_gather(struct strips *out, struct ensemble *set, bool paired, struct status *status);
 
-/** Two rough bodies: puts heights z1(x) + z2(x + shift) in place of the rows, of a row of `other` and a shift that are
- * drawn by hash, so often that there are STRIPS_PAIRINGS rows or more; none where `other` has none. A member's rows are
- * paired with those of its partner, where it has one, else with any. Where that row ends
- * it goes on as its mirror image, or around if it is periodic; between its points it is straight. Error: STATUS_MEMORY.
- */
+/** Two rough bodies: replaces the rows by z1(x) + z2(x + shift), with a row of `other` and a shift drawn by hash, at
+ * least STRIPS_PAIRINGS of them; no rows where `other` has none. A member's rows are paired with its partner's, if it
+ * has one, else with any. Beyond its end the other row goes on around if it is periodic, else as its mirror image;
+ * between its points it is interpolated linearly. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code strips_pair(struct strips *strips, struct ensemble *set, const struct strips *other,
                                         const struct ensemble *other_set, struct status *status);
 
-/** Solves all rows joined. Where they have no answer there is none, and `problem` says why. Errors: STATUS_INTERRUPTED,
+/** Solves all rows joined. Without a solution `joined` is NULL and `problem` says why. Errors: STATUS_INTERRUPTED,
  * STATUS_MEMORY. */
 MUST_CHECK enum status_code strips_solve(struct strips *strips, const struct threads *threads, struct status *status);
-/** Solves the rows of each member alone; a member whose rows have no answer has none. Errors as strips_solve(). */
+/** Solves the rows of each member alone; member.strip stays NULL without a solution. Errors as strips_solve(). */
 MUST_CHECK enum status_code strips_solve_members(struct strips *strips, struct ensemble *set,
                                                  const struct threads *threads, struct status *status);
 #endif

@@ -86,11 +86,6 @@ double surface_kappa(const struct surface_summary *summary)
     return summary->has_lay ? sqrt((1 + summary->lay * summary->lay) / 2) : 1;
 }
 
-struct model_task surface_middle_task(const struct model_task *task)
-{
-    return model_task_at(task, task->loads ? &task->loads[model_task_operating(task)] : NULL, 1);
-}
-
 struct joint_task surface_joint(const struct surface_record *record, const struct scene *scene, const struct plan *plan,
                                 const struct model_task *task)
 {

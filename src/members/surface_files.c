@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/** Notes a scan that its surface goes on without. */
+/** Notes a scan that is not used; the surface has others. */
 static void note_refused_scan(struct surface_summary *summary, const char *others, const char *why)
 {
     note_add_refused(&summary->notes, others, why);
@@ -23,8 +23,8 @@ static enum status_code hash_file(struct hash *hash, const char *path, struct st
     return rc;
 }
 
-/** Adds the scan at options->entry of a file's bytes, and where the next one is. What lies beside the file and belongs
- * to it changes the numbers too. */
+/** Adds the scan at options->entry, and moves that to the next one. A file beside it that holds its units changes the
+ * numbers, so that the hash takes it too. */
 static enum status_code add_scan(const struct surface_scans *task, const struct scan_bytes *bytes, const char *path,
                                  struct scan_options *options, struct hash *hash, struct status *status)
 {
@@ -48,7 +48,7 @@ static enum status_code add_scan(const struct surface_scans *task, const struct 
         }
     } else if (rc == STATUS_OK) {
         rc = surface_rows_add(task, &scan, bytes->path, status);
-        task->copies->count -= rc != STATUS_OK; /* a copy of one that is refused is refused, too */
+        task->copies->count -= rc != STATUS_OK; /* a copy of a refused scan is not called a copy */
     }
     if (rc == STATUS_OK && !of) {
         snprintf(summary->format, sizeof summary->format, "%s", scan.format);
@@ -59,7 +59,6 @@ static enum status_code add_scan(const struct surface_scans *task, const struct 
     return rc;
 }
 
-/** Adds the scans of a file, of which an archive may hold several: one that cannot be used costs itself alone. */
 static enum status_code add_scans(const struct surface_scans *task, struct text *text, const char *file,
                                   const char *path, struct hash *hash, struct status *status)
 {
@@ -100,7 +99,7 @@ enum status_code surface_files_read_one(const struct surface_scans *task, const 
     enum status_code rc = text_read_file(&bytes, path, status);
     task->record->summary.times.read += clock_seconds() - started;
     if (rc == STATUS_OK) {
-        hash_add(hash, bytes.data, bytes.length); /* of a file that is refused, too */
+        hash_add(hash, bytes.data, bytes.length); /* also of a file that is refused */
         rc = add_scans(task, &bytes, file, path, hash, status);
     }
     text_free(&bytes);
@@ -108,7 +107,7 @@ enum status_code surface_files_read_one(const struct surface_scans *task, const 
     return rc;
 }
 
-/** A file and what its bytes hash to; of one that cannot be read "", and its error comes when it is to be added. */
+/** A file and the hash of its bytes; "" if it cannot be read, which is an error once it is added. */
 struct content {
     char digits[2 * HASH_BYTES + 1];
     const char *file;
@@ -145,7 +144,7 @@ static void note_refused(struct surface_summary *summary, char *const *refusal, 
     char others[80] = "";
     if (used > 0)
         snprintf(others, sizeof others, "used %zu\nscans %zu", used, count);
-    bool first = true; /* of a surface that has no other: that is its own refusal */
+    bool first = true; /* without a usable scan the first reason is the surface's own */
     for (size_t f = 0; f < count; f++) {
         if (refusal[f] && (used > 0 || !first))
             note_refused_scan(summary, others, refusal[f]);

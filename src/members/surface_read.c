@@ -16,16 +16,6 @@ static bool wants_strips(const struct scene *scene)
     return scene->models & model_flagged(offsetof(struct model_row, uses_strip));
 }
 
-/** Repeats, for a surface, what was noted about the scans of its counterface. */
-static void note_counterface(struct surface_summary *summary, const struct surface_summary *counterface)
-{
-    for (size_t i = 0; i < counterface->notes.count; i++) {
-        const struct note *note = &counterface->notes.notes[i];
-        if (note->subject || note->refused_scan)
-            note_add_counterface(&summary->notes, note);
-    }
-}
-
 enum status_code surface_read_counterface(struct surface_record *record, struct power_law_scans *scans,
                                           const struct surface_record *counterface, struct status *status)
 {
@@ -35,7 +25,11 @@ enum status_code surface_read_counterface(struct surface_record *record, struct 
     record->summary.between_m2 += counterface->summary.between_m2;
     note_add(&record->summary.notes, NULL, "note.pressed\nown %.4g\nother %.4g\nboth %.4g", own_rq_m * 1e6,
              counterface->summary.roughness.rq_m * 1e6, own->rq_m * 1e6);
-    note_counterface(&record->summary, &counterface->summary);
+    for (size_t i = 0; i < counterface->summary.notes.count; i++) {
+        const struct note *note = &counterface->summary.notes.notes[i];
+        if (note->subject || note->refused_scan)
+            note_add_counterface(&record->summary.notes, note);
+    }
     if (ensemble_pair(&record->ensemble, &counterface->ensemble, status) != STATUS_OK)
         return status->code;
     if (record->ensemble.count < 2)
@@ -51,8 +45,8 @@ enum status_code surface_read_counterface(struct surface_record *record, struct 
     return grid_add(&record->spectrum, &counterface->spectrum, status);
 }
 
-/** Keeps the heights of the first scan, or of a row in the middle of the first map, where records like it may be
- * simulated. */
+/** Keeps the heights of the first scan, or of a row in the middle of the map, if records like it are to be simulated.
+ */
 static void keep_first(struct surface_record *record, const struct power_law_scans *scans, const struct scene *scene)
 {
     const struct ensemble *set = &record->ensemble;
@@ -74,7 +68,7 @@ enum status_code surface_read_members(struct surface_record *record, struct powe
     bool profiles = true;
     for (size_t p = 0; p < all; p++)
         profiles = profiles && !set->members[p].is_row;
-    if (all == 0) /* a map of which other rows were chosen than can be used */
+    if (all == 0) /* a map none of whose chosen rows can be used */
         return STATUS_OK;
     if (set->count > 1 && profiles &&
         repeats_cut_to_shortest(set, &record->summary.repeats.cut, scene, status) != STATUS_OK)
@@ -97,8 +91,8 @@ enum status_code surface_read_members(struct surface_record *record, struct powe
     return STATUS_OK;
 }
 
-/** Says what the law leaves to say: two slopes, lines, a slope that decides on convergence;
- * and which models are lost where the surface has no asperities (`why_none`). */
+/** Notes on the fitted law (none, two slopes, spectral lines, divergence), and on the models that cannot run because
+ * the surface has no asperities (`why_none`). */
 static void note_description(struct surface_summary *summary, const struct scene *scene, const double *line_m,
                              size_t line_count, const char *why_none)
 {
@@ -137,7 +131,7 @@ static struct power_law_scans_def fit_def(const struct surface_summary *summary,
                                         scene->fit_band_given ? scene->fit_band_m : NULL};
 }
 
-/** Every scan's law in the band of their mean. */
+/** Fits every scan's law in the band found for their mean. */
 static enum status_code fit_alone(struct surface_record *record, const struct power_law_scans *scans,
                                   const struct scene *scene, struct status *status)
 {
@@ -208,7 +202,7 @@ static bool is_map(const struct surface_record *record)
     return record->ensemble.count == 0 || record->ensemble.members[0].is_row;
 }
 
-/** What of a surface is of its scans in either direction. */
+/** Copies what belongs to the surface, whichever direction its scans have. */
 static void tell(struct surface_summary *summary, const struct surface_summary *of)
 {
     summary->scene = of->scene;
@@ -220,9 +214,9 @@ static void tell(struct surface_summary *summary, const struct surface_summary *
     summary->copy_of = of->copy_of;
 }
 
-/** Of scans in two directions the steeper ones are taken to run across the lay, whatever the scene calls them, which
- * makes r at most 1: where the flatter ones lend the strips the rms error on 18 measured maps is .48 .70 .84 (ln area,
- * gap, resistance) in place of .28 .38 .41. A map, which has both, stays as it is. */
+/** Of scans in two directions the steeper ones are taken to run across the lay, whatever the scene calls them, so that
+ * r <= 1. On 18 measured maps the rms error of ln area, gap and resistance is then .28 .38 .41; with strips of the
+ * flatter scans in their place it is .48 .70 .84. A map has both directions and stays as it is. */
 static enum status_code place_along(const struct surface_scans *task, const struct surface_scans *other,
                                     struct status *status)
 {
@@ -244,7 +238,7 @@ static enum status_code place_along(const struct surface_scans *task, const stru
     surface_set_lay(summary, sqrt(along->summary.roughness.m2 / summary->roughness.m2), "along");
     if (!(fabs(log(unlike)) < 0.1))
         note_add(&summary->notes, NULL, "note.along\ntimes %.3g", unlike);
-    along->summary.notes = (struct note_list){0}; /* they are the surface's */
+    along->summary.notes = (struct note_list){0}; /* they are the surface's now */
     if (maps || !wants_strips(task->scene) || task->scene->counterface_surface.files.count > 0)
         return STATUS_OK;
     if (!(record->flatter = malloc(sizeof *record->flatter)))
@@ -254,7 +248,7 @@ static enum status_code place_along(const struct surface_scans *task, const stru
     return surface_read_members(record->flatter, other->scans, task->scene, status);
 }
 
-/** r from the scans in the other direction, which are read as the surface's own are. */
+/** Finds r from the scans in the other direction, which are read like the first. */
 static enum status_code take_along(const struct surface_scans *task, struct hash *hash, struct status *status)
 {
     struct surface_record *record = task->record;
@@ -300,8 +294,8 @@ static void stretch_member(struct member *member, double kappa)
     member->roughness.m4_per_m2 *= pow(kappa, 4);
 }
 
-/** Makes of a surface with a lay the isotropic one of the same mean-square gradient that the models are asked about;
- * what describes the scans stays as it was measured (equations: lay). */
+/** Turns a surface with a lay into the isotropic one of the same mean-square gradient, for the models (equations: lay).
+ * The numbers that describe the scans stay as measured. */
 static void stretch(struct surface_record *record, double kappa)
 {
     record->spectrum.length_m /= kappa;
@@ -315,70 +309,69 @@ static void stretch(struct surface_record *record, double kappa)
         stretch_member(&record->variants.of[variant], kappa);
 }
 
-/** Pairs of transforms times points of a surface's strips: all rows joined, and each alone, of one scan its quarters,
- * roughly. */
+/** Approximate cost of the strips, in pairs of transforms times points: all rows joined, and each alone, or the
+ * quarters of a single scan. */
 static double cost_of_strips(const struct surface_record *record)
 {
     const struct strip_rows *rows = &record->strips.rows,
                             one = {NULL, 1, rows->points, rows->spacing_m, rows->periodic, NULL, 0};
-    const double quarters = 0.35; /* two strips at nine loads, of three at seventeen */
+    const double quarters = 0.35; /* they have two strips at nine loads, the whole has three at seventeen */
     double alone = record->ensemble.count > 1 ? (double)rows->rows * (double)strip_cost(&one) : 0,
            flatter = record->flatter ? (double)strip_cost(&record->flatter->strips.rows) : 0;
     return (double)strip_cost(rows) * (record->summary.single_points > 0 ? 1 + quarters : 1) + alone + flatter;
 }
 
-/** From what was gathered to the description of the surface. */
+/** Describes the surface once all scans are read. */
 static enum status_code conclude(struct surface_record *record, struct power_law_scans *scans,
                                  const struct scene *scene, const struct surface_record *counterface,
                                  struct status *status)
 {
+    struct surface_summary *summary = &record->summary;
     if (counterface && (strips_pair(&record->strips, &record->ensemble, &counterface->strips, &counterface->ensemble,
                                     status) != STATUS_OK ||
                         surface_read_counterface(record, scans, counterface, status) != STATUS_OK))
         return status->code;
-    if (record->summary.scene != &scene->counterface_surface &&
+    if (summary->scene != &scene->counterface_surface &&
         (record->ensemble.scan_count > 1 || (counterface && !counterface->height_m))) {
-        free(record->height_m); /* scans, or pairs of them, speak for themselves */
+        free(record->height_m); /* the scatter of several scans needs no simulated records */
         record->height_m = NULL;
-        record->summary.single_points = 0;
+        summary->single_points = 0;
     }
     if (counterface && wants_strips(scene) && counterface->strips.rows.rows == 0)
-        note_add(&record->summary.notes, NULL, "note.unlike\ncounterface");
-    record->summary.has_strips = record->strips.rows.rows > 0;
-    record->summary.strips_in_part = record->strips.in_part;
-    record->summary.strip_cost = record->summary.has_strips ? cost_of_strips(record) : 0;
+        note_add(&summary->notes, NULL, "note.unlike\ncounterface");
+    summary->has_strips = record->strips.rows.rows > 0;
+    summary->strip_cost = summary->has_strips ? cost_of_strips(record) : 0;
     if (counterface)
         tiles_pair(&record->tiles, &counterface->tiles);
-    bool capped = record->summary.pair.hardness_Pa > 0;
+    bool capped = summary->pair.hardness_Pa > 0;
     double most = scene->models_named ? INFINITY : tiles_budget / (double)scene->surface_count;
-    record->summary.has_tiles = tiles_fit(&record->tiles, capped, most);
-    record->summary.tile_cost = tiles_cost(&record->tiles, capped);
-    record->summary.squares = record->tiles.columns * record->tiles.rows;
-    record->summary.all_squares = record->tiles.all;
+    summary->has_tiles = tiles_fit(&record->tiles, capped, most);
+    summary->tile_cost = tiles_cost(&record->tiles, capped);
+    summary->squares = record->tiles.columns * record->tiles.rows;
+    summary->all_squares = record->tiles.all;
     if (describe(record, scans, scene, status) != STATUS_OK)
         return status->code;
-    record->ensemble.sigma_m = sqrt(record->summary.roughness.m0_m2);
-    if (repeats_compare(&record->summary.repeats, &record->ensemble, &record->spectrum, status) != STATUS_OK)
+    record->ensemble.sigma_m = sqrt(summary->roughness.m0_m2);
+    if (repeats_compare(&summary->repeats, &record->ensemble, &record->spectrum, status) != STATUS_OK)
         return status->code;
     bool found = scene->fit == POWER_LAW_AUTO && record->band->law >= POWER_LAW_BAND_NARROW;
     if (found && !counterface && fit_alone(record, scans, scene, status) != STATUS_OK)
         return status->code;
-    const struct roughness *roughness = &record->summary.roughness;
-    double kappa = surface_kappa(&record->summary);
-    if (!record->summary.has_map)
-        record->summary.measured = (struct areal_parameters){NAN, NAN, NAN, NAN, NAN, NAN};
-    record->summary.rough = (struct cmy){sqrt(roughness->rq_m * roughness->rq_m + record->summary.between_m2),
-                                         kappa * cmy_slope(roughness->m2)};
+    double kappa = surface_kappa(summary);
+    if (!summary->has_map)
+        summary->measured = (struct areal_parameters){NAN, NAN, NAN, NAN, NAN, NAN};
+    const double rq_m = summary->roughness.rq_m;
+    summary->rough = (struct cmy){sqrt(rq_m * rq_m + summary->between_m2), kappa * cmy_slope(summary->roughness.m2)};
     stretch(record, kappa);
-    if (record->flatter) /* sqrt((1 + 1/r²)/2): of the same mean-square gradient */
-        stretch(record->flatter, kappa / record->summary.lay);
+    if (record->flatter) /* by sqrt((1 + 1/r²)/2), to the same mean-square gradient */
+        stretch(record->flatter, kappa / summary->lay);
     return STATUS_OK;
 }
 
-static const double usual_area = 0.01; /* at which spots are looked at where the scene has no operating load */
+static const double usual_area = 0.01; /* A/A_n at which spots are considered if the scene has no operating load */
 
-/** A plating that is thicker than its indents are deep has its own hardness, and with it the contact, but where the
- * other body is bare and softer still; one that the scene gives stands above it. */
+/** The contact has the plating's hardness if the plating is thicker than the indents are deep and the other body is not
+ * softer and bare. A hardness given in the scene goes first. */
 static void find_plating_hardness(struct surface_summary *summary, const struct cmy *surface, double load,
                                   const struct scene *scene)
 {
@@ -398,8 +391,8 @@ static void find_plating_hardness(struct surface_summary *summary, const struct 
     }
 }
 
-/** That of a plating; and where it falls with size, the hardness of all but cmy: that of cmy's spots at the operating
- * load or, where the scene gives none, at an area of 1 %. */
+/** Finds the hardness of a plating. Where hardness depends on size, all models but cmy get that of cmy's spots at the
+ * operating load or, without one, at an area of 1 %. */
 static void find_hardness(struct surface_record *record, const struct scene *scene)
 {
     struct material_pair *pair = &record->summary.pair;
@@ -432,7 +425,7 @@ enum status_code surface_read(struct surface_record *out, const struct scene *sc
     summary->pair = scene_pair(&surface->bodies);
     out->ensemble.keeps_heights = wants_strips(scene);
     enum status_code rc = surface_files_read(&task, &hash, &problem);
-    if (rc == STATUS_OK && surface != &scene->counterface_surface) /* whose lay is taken to be the surface's */
+    if (rc == STATUS_OK && surface != &scene->counterface_surface) /* the counterface has the surface's lay */
         rc = find_lay(&task, &hash, &problem);
     hash_finish(&hash, summary->hash);
     if (rc == STATUS_OK)

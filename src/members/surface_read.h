@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* From the scans of a surface to its description: read, conditioned, averaged, fitted. */
+/* Reads the scans of a surface, conditions and averages them, and fits its law. */
 #ifndef MEMBERS_SURFACE_READ_H
 #define MEMBERS_SURFACE_READ_H
 
@@ -7,49 +7,47 @@
 #include "members/copies.h"
 #include "members/surface.h"
 
-/** Reads and describes one surface: everything but effects and models. What is wrong with its files is no error: then
- * summary.usable is false and summary.refusal says why in one line. `counterface` is the described rough counterface,
- * NULL for a smooth one. Error: STATUS_MEMORY. `out` is zeroed; owned: surface_record_free() whatever comes back. */
+/** Reads one surface: everything before effects and models. Unusable files are no error: then summary.usable is false
+ * and summary.refusal says why in one line. counterface: a rough one that has been read; NULL: smooth. Error:
+ * STATUS_MEMORY. `out` comes zeroed; owned in any case: surface_record_free(). */
 MUST_CHECK enum status_code surface_read(struct surface_record *out, const struct scene *scene,
                                          const struct scene_surface *surface, const struct surface_record *counterface,
                                          struct status *status);
 
 /* Its steps, in their order. */
 
-/** A surface whose scans are being taken. */
+/** A surface whose scans are being read. */
 struct surface_scans {
     struct surface_record *record;
-    struct power_law_scans *scans; /* that its law will be fitted to */
+    struct power_law_scans *scans; /* to which its law will be fitted */
     const struct scene *scene;
-    struct copies *copies; /* of its scans so far */
+    struct copies *copies; /* its scans so far, to recognise copies */
 };
 
-/** Adds every file of a surface, in the order of their contents: what comes out does not depend on their names, nor on
- * the order in which a scene lists them. A scan that is a copy of one before counts once, and one that cannot be used
- * is refused; either is noted. Errors: STATUS_SCAN with the first one's reason where none is left, STATUS_MEMORY,
- * STATUS_INTERRUPTED. */
+/** Adds every file of a surface, sorted by content, so that neither names nor the order in the scene matter. Copies are
+ * left out and unusable scans refused, with a note. Errors: STATUS_SCAN with the first reason if no scan is left,
+ * STATUS_MEMORY, STATUS_INTERRUPTED. */
 MUST_CHECK enum status_code surface_files_read(const struct surface_scans *task, struct hash *hash,
                                                struct status *status);
-/** Adds the scans of one file, of which an archive may hold several: one that cannot be used costs itself alone. `hash`
- * takes its bytes, and those of what belongs to it. Errors: STATUS_IO, STATUS_SCAN (one line with the file's name; then
+/** Adds the scans of one file; of an archive with several, only those that cannot be used are left out. `hash` takes
+ * its bytes, and those of a file that belongs to it. Errors: STATUS_IO, STATUS_SCAN (one line with the file's name;
  * nothing was added), STATUS_MEMORY. */
 MUST_CHECK enum status_code surface_files_read_one(const struct surface_scans *task, const char *file,
                                                    struct hash *hash, struct status *status);
 
-/** Adds a scan, `file` of the scene: a profile, whose heights are taken over, or every row of a map. A row of a map
- * that cannot be used (all missing, flat) is left out and counted. Errors: STATUS_SCAN where none is left (one line
- * with the file's name; then nothing was added), STATUS_MEMORY. */
+/** Adds a scan of the scene's `file`: a profile, whose heights are taken over, or every row of a map. Unusable rows
+ * (all missing, flat) are left out and counted. Errors: STATUS_SCAN if none is left (one line with the file's name;
+ * nothing was added), STATUS_MEMORY. */
 MUST_CHECK enum status_code surface_rows_add(const struct surface_scans *task, struct scan *scan, const char *file,
                                              struct status *status);
 
-/** Two rough bodies: amplitudes and moments of the surface and of its counterface add as squares (docs/equations.md,
- * From scan to spectrum), scan by scan as many as both have; those the law is fitted to are added to `scans`. Error:
- * STATUS_MEMORY. */
+/** Two rough bodies: squares of amplitudes and moments add (docs/equations.md, From scan to spectrum), also scan by
+ * scan, for as many as both have, and in `scans`. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code surface_read_counterface(struct surface_record *record, struct power_law_scans *scans,
                                                      const struct surface_record *counterface, struct status *status);
 
-/** Once all of the files were added, in this order: a single scan is the surface itself; of several profiles the longer
- * ones are cut to subrecords as long as the shortest. Error: STATUS_MEMORY. */
+/** After all files: cuts longer profiles to pieces as long as the shortest, gathers the strips, and drops the members
+ * of a single scan, which is the surface itself. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code surface_read_members(struct surface_record *record, struct power_law_scans *scans,
                                                  const struct scene *scene, struct status *status);
 

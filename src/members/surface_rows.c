@@ -18,7 +18,7 @@ static void note_scan(struct surface_summary *summary, const struct scan *scan, 
         note_add(&summary->notes, file, "note.text\ntext\t%s", profile->notes[n]);
 }
 
-/** The profile thinned for its chart: of every run of points the lowest and the highest, in their order. */
+/** Thins the profile for its chart: the lowest and the highest point of every few, in order. */
 static enum status_code keep_preview(struct surface_record *record, const struct profile *profile,
                                      struct status *status)
 {
@@ -46,9 +46,9 @@ static enum status_code keep_preview(struct surface_record *record, const struct
     return STATUS_OK;
 }
 
-enum { DIRECT_HEIGHTS = 65536, DIRECT_SIDE = 400 }; /* kept for the direct solution: heights, and points along a map */
+enum { DIRECT_HEIGHTS = 65536, DIRECT_SIDE = 400 }; /* kept for the direct study: heights; points a side of a map */
 
-/** Keeps what a direct solution is made from: heights of a profile, thinned evenly, or the first square of a map. */
+/** Keeps heights for the direct study: of profiles, thinned evenly, or the first square of a map. */
 static enum status_code keep_direct(struct surface_record *record, const struct scan *scan,
                                     const struct profile *profile, struct status *status)
 {
@@ -66,16 +66,14 @@ static enum status_code keep_direct(struct surface_record *record, const struct 
     return STATUS_OK;
 }
 
-/** Is a direct solution called for, and the surface its own? A map is alone; two rough bodies have no heights in
- * common.
- */
+/** Are heights kept for the direct study? Only those of the first map; none of two rough bodies. */
 static bool keeps_direct(const struct surface_record *record, const struct scene *scene)
 {
     return scene->direct.called && scene->counterface_surface.files.count == 0 &&
            (record->summary.map.nx == 0 || record->direct_count == 0);
 }
 
-/** A profile's own spectrum and moments, as the scene wants them. */
+/** Finds a profile's spectrum and moments, as the scene asks. */
 static enum status_code take_spectrum(struct spectrum *spectrum, struct roughness *roughness,
                                       const struct profile *profile, const struct scene *scene, struct status *status)
 {
@@ -90,8 +88,8 @@ static enum status_code take_spectrum(struct spectrum *spectrum, struct roughnes
     return STATUS_OK;
 }
 
-/** Averages a profile's spectrum and moments into the surface's, as powers; for the thesis's line as logarithms too, so
- * that it does not depend on how many scans there are. The first one tells the rest. */
+/** Averages a profile's spectrum and moments into the surface's, as powers; for the thesis's line as logarithms too,
+ * which do not depend on the number of scans. Points and spacing are those of the first. */
 static enum status_code average(struct surface_record *record, const struct profile *profile,
                                 const struct spectrum *spectrum, const struct roughness *roughness,
                                 struct status *status)
@@ -113,8 +111,8 @@ static enum status_code average(struct surface_record *record, const struct prof
     return keep_preview(record, profile, status);
 }
 
-/** A seed that the first heights of a row make as they were measured (FNV-1a): neither its name nor how it is made
- * ready changes it. */
+/** A seed from the first heights of a row as measured (FNV-1a), so that neither the file's name nor conditioning
+ * changes it. */
 static uint64_t seed_of(const struct scan *scan, size_t row)
 {
     enum { HEIGHTS = 64 };
@@ -127,8 +125,8 @@ static uint64_t seed_of(const struct scan *scan, size_t row)
     return hash;
 }
 
-/** Adds one profile, a row of a scan, to the surface: to its mean and the spectra the law is fitted to, to the
- * variants that answers are sensitive to, and as a member of its own. `had`: what its heights have been through. */
+/** Adds one profile, a row of a scan, to the mean, to the spectra for the law, to the variants, and as a member. `had`:
+ * how its heights were conditioned. */
 static enum status_code add_profile(const struct surface_scans *task, const struct profile_options *had,
                                     const struct scan *scan, size_t row, uint64_t seed, struct profile *profile,
                                     struct status *status)
@@ -141,8 +139,8 @@ static enum status_code add_profile(const struct surface_scans *task, const stru
     enum status_code rc = take_spectrum(&own.spectrum, &own.roughness, profile, scene, status);
     if (rc == STATUS_OK)
         task->scans->step_m = fmax(task->scans->step_m, profile->digit_m);
-    if (rc == STATUS_OK &&
-        (scene->fit == POWER_LAW_AUTO || scan->kind == SCAN_AREAL)) /* of a map, how many rows are independent */
+    if (rc == STATUS_OK && (scene->fit == POWER_LAW_AUTO ||
+                            scan->kind == SCAN_AREAL)) /* for a map it tells how many rows are independent */
         rc = power_law_scans_add(task->scans, profile->height_m, profile->points, profile->spacing_m, profile->digit_m,
                                  status);
     if (rc == STATUS_OK && scene->counterface_surface.files.count == 0)
@@ -164,11 +162,11 @@ static enum status_code add_profile(const struct surface_scans *task, const stru
  * (docs/equations.md, power_law_band.h); a record has it below its Nyquist frequency from 11 points on. */
 enum { LEAST_POINTS = 11 };
 
-/** Takes out of a map what neither a row nor a direct solution can hold: both are of the heights that are left. */
+/** Levels and low-passes a map, for its rows and its direct solution alike. */
 static enum status_code condition_map(struct areal_parameters of[2], struct direct_map_def *map, struct scan *scan,
                                       const struct scene *scene, struct status *status)
 {
-    struct status none = {0}; /* a map without a plane has none of them, and no usable row */
+    struct status none = {0}; /* a map without a plane has no parameters, and no usable row */
     size_t side = scan->nx < scan->ny ? scan->nx : scan->ny;
     *map = (struct direct_map_def){.nx = scan->nx, .ny = scan->ny, .dx_m = scan->dx_m, .dy_m = scan->dy_m};
     (void)!areal_parameters_of(&of[0], scan, &none);
@@ -183,7 +181,7 @@ static enum status_code condition_map(struct areal_parameters of[2], struct dire
     return STATUS_OK;
 }
 
-/** Mean-square difference of a map's heights that lie so many points apart, less that of its plane. */
+/** Mean-square difference of a map's heights at this distance in points, less that of its plane. */
 static double mean_square_step(const struct scan *scan, size_t right, size_t down)
 {
     double sum = 0, squares = 0, count = 0;
@@ -199,7 +197,7 @@ static double mean_square_step(const struct scan *scan, size_t right, size_t dow
     return squares / count - sum / count * (sum / count);
 }
 
-/** A map knows its lay from its rows, taken across, and its columns, over steps of about the same length. */
+/** Finds the lay of a map from its rows (across) and columns, over steps of about the same length. */
 static void measure_lay(struct surface_summary *summary, const struct scan *scan)
 {
     double right = fmax(1, round(scan->dy_m / scan->dx_m)), down = fmax(1, round(scan->dx_m / scan->dy_m));
@@ -224,7 +222,7 @@ static enum status_code take_row(struct profile *out, struct scan *scan, size_t 
                        out->points, LEAST_POINTS);
 }
 
-/** What there is to say of a map whose rows are taken, `unusable` of them left out, `run` of them members. */
+/** Notes on a map whose rows are read, `unusable` of them left out, `run` of them members. */
 static void note_map(const struct surface_scans *task, const char *file, const struct scan *scan,
                      const struct direct_map_def *map, const struct areal_parameters of[2], size_t unusable, size_t run)
 {
@@ -236,7 +234,7 @@ static void note_map(const struct surface_scans *task, const char *file, const s
              run < used ? "run" : "all", run);
 }
 
-/** The first map of a surface speaks for all: of its lay, and of the square that a direct study takes. */
+/** The first map of a surface gives its lay and the square for the direct study. */
 static enum status_code keep_map(const struct surface_scans *task, const struct scan *scan,
                                  const struct direct_map_def *map, struct status *status)
 {
@@ -248,7 +246,7 @@ static enum status_code keep_map(const struct surface_scans *task, const struct 
     return keeps_direct(record, task->scene) ? keep_direct(record, scan, NULL, status) : STATUS_OK;
 }
 
-/** Takes what Sq² of the last file has over the mean square height of its rows (NaN: nothing) into the mean of all. */
+/** Averages the excess of Sq² of the last file over its rows' mean square height (NaN: none) over the files. */
 static void add_between(struct surface_summary *summary, size_t scans_before, double rq_before_m, double sq_m2)
 {
     double before = (double)scans_before, all = (double)summary->scans, rq_m = summary->roughness.rq_m;
@@ -270,7 +268,7 @@ enum status_code surface_rows_add(const struct surface_scans *task, struct scan 
                                         .lambda_c_m = scene->lambda_c_m,
                                         .tip_radius_m = scene->tip_radius_m,
                                         .periodic_mean = !scene->level_given};
-    struct profile_options had = how; /* what its heights have been through */
+    struct profile_options had = how; /* how its heights were conditioned */
     struct direct_map_def map = {0};
     size_t unusable = 0, run_before = set->count;
     bool areal = scan->kind == SCAN_AREAL, first_file = summary->scans == 0;
@@ -294,7 +292,7 @@ enum status_code surface_rows_add(const struct surface_scans *task, struct scan 
         summary->times.prepare += clock_seconds() - started;
         if (rc == STATUS_OK)
             rc = add_profile(task, &had, scan, row, seed, &profile, &problem);
-        if (rc == STATUS_OK && row == unusable) /* the first usable one speaks for all */
+        if (rc == STATUS_OK && row == unusable) /* notes on the first usable row hold for all */
             note_scan(summary, scan, &profile, file);
         profile_free(&profile);
         if (rc == STATUS_MEMORY)
@@ -310,7 +308,7 @@ enum status_code surface_rows_add(const struct surface_scans *task, struct scan 
     if (areal) {
         summary->measured = summary->has_map ? summary->measured : of[0];
         summary->has_map = true;
-        if (scene->level == LEVEL_LINE && !(scene->lambda_c_m > 0)) /* else rows have more taken out than a plane */
+        if (scene->level == LEVEL_LINE && !(scene->lambda_c_m > 0)) /* else more than a plane is removed from rows */
             sq_m2 = of[1].sq_m * of[1].sq_m;
     }
     add_between(summary, scans_before, rq_before_m, sq_m2);
@@ -318,7 +316,7 @@ enum status_code surface_rows_add(const struct surface_scans *task, struct scan 
         return status->code;
     if (areal)
         note_map(task, file, scan, &map, of, unusable, set->count - run_before);
-    tiles_free(&task->record->tiles); /* a surface of several scans is no one map */
+    tiles_free(&task->record->tiles); /* a surface of several scans is not a single map */
     if (areal && first_file && (scene->models & model_flagged(offsetof(struct model_row, uses_map))))
         tiles_take(&task->record->tiles, scan, &map);
     if (unusable > 0)

@@ -11,11 +11,11 @@
 
 const double tiles_budget = 5e10;
 
-enum { LEAST_SIDE = 32, LEAST_POINTS = 12 /* in contact, below which a solution tells nothing */ };
+enum { LEAST_SIDE = 32, LEAST_POINTS = 12 /* in contact; with fewer a solution is not used */ };
 
-static const double tolerance = 3e-4;             /* moves no answer by .5 %; 1e-3 a resistance by .63 % */
+static const double tolerance = 3e-4;             /* changes no answer by 0.5 %; 1e-3 changes a resistance by 0.63 % */
 static const double coarse = 0.9, closest = 1.15; /* steps of logit A, and loads */
-static const double enough = 0.97;                /* of area, from which on no heavier load is solved */
+static const double enough = 0.97;                /* A/A_n above which no heavier load is solved */
 
 void tiles_free(struct tiles *tiles)
 {
@@ -26,7 +26,7 @@ void tiles_free(struct tiles *tiles)
     *tiles = (struct tiles){.height_m = NULL};
 }
 
-/** The squares of at most TILES_SIDE points that the map holds, and how many of them are solved. */
+/** Divides the map into squares of at most TILES_SIDE points, and chooses how many are solved. */
 static void lay_out(struct tiles *tiles)
 {
     const struct direct_map_def *def = &tiles->def;
@@ -54,7 +54,7 @@ void tiles_take(struct tiles *out, struct scan *scan, const struct direct_map_de
 
 enum { SHIFT_SEED = 0x6d617073 };
 
-/** Place i of a line of n points that goes on around or as its mirror image. */
+/** Index of place i on a line of n points that goes on around or as its mirror image. */
 static size_t fold(size_t i, size_t n, bool periodic)
 {
     size_t within = i % (periodic ? n : 2 * n);
@@ -95,10 +95,10 @@ bool tiles_fit(struct tiles *tiles, bool capped, double most)
     return tiles->height_m && tiles_cost(tiles, capped) <= most;
 }
 
-/** Bridges what is missing of a line by straight lines; false: all of it is. */
+/** Fills gaps of a line by straight lines; false: nothing is there. */
 static bool bridge(double *line_m, size_t points)
 {
-    size_t last = points; /* that is there */
+    size_t last = points; /* point that is there */
     for (size_t i = 0; i < points; i++) {
         if (isnan(line_m[i]))
             continue;
@@ -113,8 +113,8 @@ static bool bridge(double *line_m, size_t points)
     return last < points;
 }
 
-/** Mean power of all lines of a map, each over the mean of the map and continued as its mirror image unless they
- * close. */
+/** Mean power of all lines of a map, each less the mean of the map, and continued as its mirror image unless the map is
+ * periodic. */
 static enum status_code spectrum_along(struct spectrum *out, const struct scan *map, struct direct_map_lines lines,
                                        bool mirrored, struct status *status)
 {
@@ -135,7 +135,7 @@ static enum status_code spectrum_along(struct spectrum *out, const struct scan *
     return rc;
 }
 
-/** Of rows and columns alike: that of an isotropic surface with the mean-square gradient of this one. */
+/** From rows and columns alike: the spectrum of an isotropic surface with the same mean-square gradient. */
 static enum status_code spectrum_of(struct spectrum *out, const struct scan *map, bool mirrored, struct status *status)
 {
     struct spectrum across = {0};
@@ -148,7 +148,7 @@ static enum status_code spectrum_of(struct spectrum *out, const struct scan *map
     return rc;
 }
 
-/** The whole map's, over its plane; a square that is all of it has it already. */
+/** The spectrum of the whole map over its plane, or of the square if that is the whole map. */
 static enum status_code spectrum_of_all(struct spectrum *out, const struct tiles *tiles,
                                         const struct transfer_square *square, struct status *status)
 {
@@ -188,7 +188,7 @@ static enum status_code solve_load(struct transfer_point *out, struct direct_con
     return STATUS_OK;
 }
 
-/** Where contact grows by more from one load to the next than a line tells, the first of them; 0: nowhere. */
+/** First load after which contact grows by more than interpolation can follow; 0: nowhere. */
 static size_t coarsest(const struct transfer_point *point, size_t loads)
 {
     size_t at = 0;
@@ -204,8 +204,8 @@ static size_t coarsest(const struct transfer_point *point, size_t loads)
     return at;
 }
 
-/** Solves a map at the loads of the ladder, to which it adds some if `refine`; what tells nothing becomes NaN. Counts
- * transforms. */
+/** Solves a map at the loads of the ladder, and at some more between them if `refine`; useless solutions become NaN.
+ * Counts transforms. */
 static enum status_code solve(struct transfer_point *out, const struct direct_map *map, struct ladder *ladder,
                               bool refine, uint64_t *transforms, struct status *status)
 {
@@ -263,7 +263,7 @@ struct work {
     enum { UNKNOWN, KNOWN, LOST } is[KINDS];
 };
 
-/** The loads that errors are told at, of a kind's ladder: neither end, where little touches, or all. */
+/** The loads at which errors are found: not the ends of a ladder, where hardly anything or everything touches. */
 static struct ladder told_at(size_t only[TRANSFER_ERRORS], const struct ladder *whole)
 {
     struct ladder out = *whole;
@@ -275,10 +275,10 @@ static struct ladder told_at(size_t only[TRANSFER_ERRORS], const struct ladder *
     return out;
 }
 
-/** The scatter of fewer squares than four is that of the quarters of the first. */
+/** With fewer than four squares the scatter is that of the quarters of the first. */
 static bool quartered(const struct work *work)
 {
-    return work->count < 4; /* a periodic map too: it is one of many of its surface */
+    return work->count < 4; /* also of a periodic map, which is one sample of its surface */
 }
 
 static struct transfer_point *points_of(const struct work *work, int kind, size_t s)
@@ -317,7 +317,7 @@ static void find_errors(struct transfer_errors *out, struct work *work, int kind
     out->count = ladder.loads;
 }
 
-/** Where square s of them begins: evenly spread over the map. */
+/** Where square s begins: they are evenly spaced over the map. */
 static size_t first_of(const struct tiles *tiles, size_t s)
 {
     size_t column = s % tiles->columns, row = s / tiles->columns;
@@ -344,7 +344,7 @@ static enum status_code make_square(struct direct_map *out, const struct tiles *
     return direct_map_make(out, tiles->height_m + first_of(tiles, s), &tiles->def, tiles->side, status);
 }
 
-/** What of a square need not be solved. */
+/** The properties of a square that are known without solving it. */
 static enum status_code describe(struct transfer_square *out, const struct direct_map *map, struct status *status)
 {
     const struct scan all = {.nx = map->grid.nx, .ny = map->grid.ny, .dx_m = map->grid.spacing_m, .z_m = map->height_m};
@@ -353,7 +353,7 @@ static enum status_code describe(struct transfer_square *out, const struct direc
                : status->code;
 }
 
-/** One of the other squares. */
+/** Solves one of the other squares. */
 static enum status_code solve_square(struct work *work, int kind, size_t s, uint64_t *transforms, struct status *status)
 {
     struct direct_map map;
@@ -366,7 +366,7 @@ static enum status_code solve_square(struct work *work, int kind, size_t s, uint
     return rc;
 }
 
-/** A part of the first square, if it tells of its error. */
+/** Solves a part of the first square, if it contributes to the error. */
 static enum status_code solve_part(struct work *work, int kind, enum direct_map_part p, uint64_t *transforms,
                                    struct status *status)
 {
@@ -382,7 +382,7 @@ static enum status_code solve_part(struct work *work, int kind, enum direct_map_
     return status->code;
 }
 
-/** Waits for a kind's ladder; false: it has none. */
+/** Waits for the ladder of a kind; false: there is none. */
 static bool learn(struct work *work, int kind)
 {
     pthread_mutex_lock(&work->lock);

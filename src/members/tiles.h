@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The direct solution of a surface whose data is a map: squares of it, and how far off they may be (transfer.h). */
+/* The direct solution of a map, in squares, with its errors (transfer.h). */
 #ifndef MEMBERS_TILES_H
 #define MEMBERS_TILES_H
 
@@ -13,35 +13,37 @@ enum { TILES_SIDE = 512, TILES_MOST = 4 };
 /** Owned: tiles_free(). */
 struct tiles {
     double *height_m;           /* conditioned, row after row; NULL: no map */
-    struct direct_map_def def;  /* of all of it */
-    size_t side, columns, rows; /* squares of the map that are solved */
+    struct direct_map_def def;  /* of the whole map */
+    size_t side, columns, rows; /* of a square, in points; squares that are solved, across and down */
     size_t all;                 /* squares that it holds */
     struct transfer *transfer;  /* NULL: not solved */
-    double low_pass[3];         /* ln of area, gap and constriction length that the low-pass has changed, about, at a
-                                   middle load; 0: none */
-    struct status problem;      /* why it is not */
-    uint64_t transforms;        /* pairs of transforms times points that solving took */
+    double low_pass[3];         /* about what the low-pass changed, at a middle load: ln of area, gap and constriction
+                                   length; 0: no low-pass */
+    struct status problem;      /* why not */
+    uint64_t transforms;        /* cost of solving: pairs of transforms times points */
 };
 void tiles_free(struct tiles *tiles);
 
-/** Takes over the heights of a conditioned map whose spacings are the same, 1 % apart at most, of 32 points a side or
- * more; leaves others. */
+/** Takes over the heights of a conditioned map with equal spacings (within 1 %) and at least 32 points a side; leaves
+ * other scans as they are. */
 void tiles_take(struct tiles *out, struct scan *scan, const struct direct_map_def *def);
 
-/** Two rough bodies: adds the heights of another map of the same spacing, from a place on that is drawn by hash; beyond
- * its ends it goes on as its mirror image, or around if it is periodic. Else the tiles are none. */
+/** Two rough bodies: adds the heights of another map of the same spacing, beginning at a place drawn by hash; beyond
+ * its ends the other map goes on around if it is periodic, else as its mirror image. Without such a map there are no
+ * tiles. */
 void tiles_pair(struct tiles *tiles, const struct tiles *other);
 
-/** Pairs of transforms times points that the squares take, about; 0: there is no map. */
+/** Approximate cost of the squares, in pairs of transforms times points; 0: no map. */
 double tiles_cost(const struct tiles *tiles, bool capped);
-/** The count that a whole report spends at most on them, unless its scene names its models: about ten minutes of one
+/** The most that a report spends on maps, in these units, unless its scene names the models: about ten minutes of one
  * core. */
 extern const double tiles_budget;
-/** Solves fewer of the squares, at least one, until they take no more than `most`; false: one takes more. */
+/** Reduces the squares to be solved until they cost at most `most`; false: even one costs more. */
 bool tiles_fit(struct tiles *tiles, bool capped, double most);
 
-/** Solves the squares, elastic and below the hardness h = H/E' (INFINITY: elastic alone), and what tells their error. A
- * map that has no answer has none. The same from any number of threads. Errors: STATUS_INTERRUPTED, STATUS_MEMORY. */
+/** Solves the squares, elastic and with hardness H/E' (INFINITY: elastic only), and the parts from which their error is
+ * found. Without a solution `transfer` is NULL and `problem` says why. The result does not depend on the number of
+ * threads. Errors: STATUS_INTERRUPTED, STATUS_MEMORY. */
 MUST_CHECK enum status_code tiles_solve(struct tiles *tiles, double hardness, const struct threads *threads,
                                         struct status *status);
 

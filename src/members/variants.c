@@ -5,7 +5,7 @@
 
 enum { LEAST_POINTS = 16 };
 
-/** Half of the profile, or the whole of it, smoothed or not, in room->record. */
+/** Puts half of the profile or all of it, smoothed or not, into room->record. */
 static enum status_code take_variant(struct fft_room *room, size_t points, enum variant variant,
                                      const struct profile *profile, double lambda_s_m, struct status *status)
 {
@@ -17,7 +17,7 @@ static enum status_code take_variant(struct fft_room *room, size_t points, enum 
     return STATUS_OK;
 }
 
-/** Adds a scan's variant, whose spectrum it takes over, to the mean over `so_far` of them. */
+/** Averages a scan's variant, whose spectrum is taken over, with `so_far` others. */
 static enum status_code add_mean(struct member *mean, size_t so_far, struct member *own, struct status *status)
 {
     if (so_far == 0) {

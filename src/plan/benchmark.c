@@ -6,11 +6,11 @@
 #include <time.h>
 
 enum {
-    HARMONICS_MOST = 100000, /* of a longer scan no more are summed again at every tolerance: they show it too */
-    LOADS_MOST = 400         /* of more, every second, third, ... */
+    HARMONICS_MOST = 100000, /* enough to show the cost of a longer scan too */
+    LOADS_MOST = 400         /* of more only every second, third, ... */
 };
 
-/** Seconds that this thread has worked, whatever others do meanwhile. */
+/** CPU time of this thread [s]. */
 static double own_seconds(void)
 {
     struct timespec now;
@@ -18,12 +18,12 @@ static double own_seconds(void)
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-/** A model's curve from the surface on. */
+/** A model's curve, computed anew. */
 struct curve_attempt {
     const struct surface_record *surface;
     const struct surface_task *asked;
     size_t m;
-    struct spectrum spectrum; /* of the surface, no more of it than HARMONICS_MOST */
+    struct spectrum spectrum; /* of the surface, at most HARMONICS_MOST of it */
     double tolerance;
     double loads[LOADS_MOST];
     size_t load_count;
@@ -44,7 +44,7 @@ static void solve_curve(struct curve_attempt *attempt)
     attempt->evaluations = curve.evaluations;
 }
 
-/** Times it: the least of several runs while they are short. */
+/** Times it: the least of several runs if they are short. */
 static double time_of(struct curve_attempt *attempt)
 {
     enum { RUNS_MOST = 12 };
@@ -60,7 +60,7 @@ static double time_of(struct curve_attempt *attempt)
     return least;
 }
 
-/** The largest relative error of every quantity that a chart shows. */
+/** The largest relative error over the quantities shown in charts. */
 static double largest_error(const struct contact_point *points, const struct contact_point *better, size_t count)
 {
     double error = 0;
@@ -73,7 +73,7 @@ static double largest_error(const struct contact_point *points, const struct con
     return error;
 }
 
-/** A model's curve of the report's own loads at rising tolerances; the rows stand the other way round. */
+/** Times a model on the report's loads at rising tolerances; the rows are stored in falling order. */
 static enum status_code measure_model(struct benchmark *out, const struct surface_record *surface,
                                       const struct surface_task *asked, size_t m, struct status *status)
 {

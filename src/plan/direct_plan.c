@@ -17,10 +17,10 @@ enum {
     FEWER = 4
 };
 
-/** Points that the shortest wave needs: gap within 3e-4, constriction within 0.5 %, area within 1 %. */
+/** Points for the shortest wave: then the gap is within 3e-4, constriction within 0.5 %, area within 1 %. */
 static const double points_a_wave = 6;
 
-/** m0, m1 and m2 of a spectrum, low-passed like the law's taper where `cut`. */
+/** m0, m1 and m2 of a spectrum, low-passed as the law is if `cut`. */
 static void moments(double out[3], const struct spectrum *spectrum, double lambda_s_m, bool cut)
 {
     out[0] = out[1] = out[2] = 0;
@@ -32,8 +32,8 @@ static void moments(double out[3], const struct spectrum *spectrum, double lambd
     }
 }
 
-/** Loads from 100 points in contact (with a third to spare, as surfaces scatter) to about 0.9 of the area: A is about
- * 2 p/(E' g), g the root mean square gradient. */
+/** Loads from 100 points in contact (130, as surfaces scatter) to about 0.9 of the area, from A = 2 p/(E' g), g the rms
+ * gradient. */
 static void range_of_loads(struct direct_plan *plan, const struct direct_plan_task *task)
 {
     double points = (double)plan->grid * (double)plan->grid, known[3] = {0, 0, task->slope * task->slope};
@@ -44,8 +44,8 @@ static void range_of_loads(struct direct_plan *plan, const struct direct_plan_ta
     plan->range[1] = 0.8 * gradient;
 }
 
-/** Loads as the scene lists them for it, else spread evenly over those of its own that lie in the range, the middle
- * one among them where it does. */
+/** The loads that the scene lists for the direct solution; else evenly chosen ones of its own within the range, with
+ * the operating load if that is within. */
 static void choose_loads(struct direct_plan *plan, const struct direct_plan_task *task)
 {
     const struct scene_direct *direct = task->direct;
@@ -81,8 +81,8 @@ static void choose_loads(struct direct_plan *plan, const struct direct_plan_task
         plan->capped_loads++;
 }
 
-/** Of one core, from counts; surfaces with a scan's heights have to be made first. A finer grid is twice as fine; a
- * map's parts, which tell its error, have half its points a side. */
+/** Expected time on one core, from counts. Surfaces with a scan's heights must be made first; the finer grid has twice
+ * the points a side, and the parts of a map, which give its error, half of them. */
 static double likely_seconds(const struct direct_plan *plan)
 {
     const double power = costs.direct_power, one = costs.direct_s * pow((double)plan->grid / 256, power);
@@ -97,7 +97,7 @@ static double likely_seconds(const struct direct_plan *plan)
     return one * sum;
 }
 
-/** One way to do it; `seeds` of a profile. */
+/** Fills the plan for one choice of size, surfaces (`seeds`, of a profile) and finer grid. */
 static void try(struct direct_plan *plan, const struct direct_plan_task *task, size_t size, size_t seeds, bool fine)
 {
     bool map = task->map.nx > 0;
@@ -105,7 +105,7 @@ static void try(struct direct_plan *plan, const struct direct_plan_task *task, s
     plan->mirrored = map && direct_map_mirrored(&task->map, size);
     plan->grid = (plan->mirrored ? 2 : 1) * size;
     plan->seeds = map ? 1 : seeds;
-    plan->fewer = map ? 1 : seeds < FEWER ? seeds : FEWER; /* as many as tell their scatter */
+    plan->fewer = map ? 1 : seeds < FEWER ? seeds : FEWER; /* enough to know their scatter */
     plan->fine_times = fine && !map && 2 * plan->grid <= FINE_MOST ? 2 : 0;
     plan->length_m = map ? task->map.dx_m * (double)plan->grid : task->length_m;
     double resolved_m = points_a_wave * plan->length_m / (double)plan->grid;
@@ -118,7 +118,7 @@ static void try(struct direct_plan *plan, const struct direct_plan_task *task, s
     plan->seconds = likely_seconds(plan);
 }
 
-/** The grid that resolves the scan, within reason. */
+/** The grid that resolves the scan, up to a limit. */
 static size_t usual_size(const struct direct_plan_task *task)
 {
     size_t grid = GRID_USUAL;
@@ -130,7 +130,7 @@ static size_t usual_size(const struct direct_plan_task *task)
     return grid;
 }
 
-/** From the best choice to the least: fewer surfaces before a coarser grid. The first within the budget is taken. */
+/** Takes the first choice within the budget, from the best down: fewer surfaces go before a coarser grid. */
 static void choose(struct direct_plan *plan, const struct direct_plan_task *task)
 {
     static const struct {

@@ -8,10 +8,10 @@
 #include <math.h>
 #include <stddef.h>
 
-/** What spots of any heights bear over what those of Gaussian heights do, at most. */
+/** Upper bound of the pressure in spots for any height distribution, over that for a Gaussian one. */
 static const double heights_factor = 4;
 
-/** The pressure in contact over the hardness where it is highest, at the largest area of the corrected theory. */
+/** Pressure in contact over hardness at the largest area of the corrected theory, where it is highest. */
 static double pressure_over_hardness(const struct spectrum *spectrum, const struct material_pair *pair)
 {
     double m2 = spectrum_moment(spectrum, 1), area = corrected_persson_largest_area;
@@ -19,8 +19,8 @@ static double pressure_over_hardness(const struct spectrum *spectrum, const stru
     return heights_factor * pressure_Pa / pair->hardness_Pa;
 }
 
-/** The same of the surface, of its scans run alone, and of the waves of an atom's length where slopes go on rising
- * below the sampling limit. */
+/** The largest such ratio of the surface, of its scans alone, and, if slopes go on rising below the sampling limit, of
+ * waves of atomic length. */
 static double bound_pressure(const struct surface_record *record)
 {
     const struct surface_summary *summary = &record->summary;
@@ -52,7 +52,7 @@ enum status_code effects_bound(struct surface_record *record, const struct surfa
         struct contact_point points[3];
         struct model_curve curve = {.points = points};
         const struct model_row *row = model_rows[m];
-        /* an elastic one stands for its plastic partner */
+        /* an elastic model stands for its plastic partner */
         bool stands_for_it = row->elastic && plan_runs_model(plan, model_index(row->elastic));
         if (!plan_runs_model(plan, m) || stands_for_it ||
             !(row->quantities & QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT)))
@@ -66,8 +66,8 @@ enum status_code effects_bound(struct surface_record *record, const struct surfa
     return STATUS_OK;
 }
 
-/** Yield changes the area by (1 + r^4)^(1/4) - 1 at most, r the pressure in contact over the hardness. A named model
- * that has no elastic partner runs whatever yields. */
+/** Plasticity changes the area by at most (1 + r^4)^(1/4) - 1, r the pressure in contact over hardness. A plastic model
+ * that is named and has no elastic partner needs it in any case. */
 static void decide_plasticity(struct plan *plan, const struct scene *scene, const struct surface_record *surfaces,
                               size_t count)
 {
@@ -96,7 +96,7 @@ static void decide_scale_dependence(struct plan *plan, const struct surface_reco
                           most > tolerance ? "" : "little"));
 }
 
-/** Says how many spectra can be carried on below what is known. */
+/** Records how many spectra can be extrapolated. */
 static void decide_convergence(struct plan *plan, const struct surface_record *surfaces, size_t count)
 {
     size_t usable = 0, carried_on = 0;
@@ -108,7 +108,7 @@ static void decide_convergence(struct plan *plan, const struct surface_record *s
                 words_say(plan->words, "effect.sweeps\ncarried_on %zu\nsurfaces %zu", carried_on, usable));
 }
 
-/** Runs where a surface has one scan. */
+/** Runs if a surface has a single scan. */
 static void decide_uncertainty(struct plan *plan, const struct surface_record *surfaces, size_t count)
 {
     size_t single = 0;
@@ -119,7 +119,7 @@ static void decide_uncertainty(struct plan *plan, const struct surface_record *s
                           single, single == 1 ? "one" : ""));
 }
 
-/** Strips run where a surface has them. */
+/** Strips run if any surface has them. */
 static void decide_strips(struct plan *plan, const struct surface_record *surfaces, size_t count)
 {
     size_t has = 0, lacking = 0;
@@ -134,8 +134,8 @@ static void decide_strips(struct plan *plan, const struct surface_record *surfac
     plan->area_reason = words_say(plan->words, "area.no_strips");
 }
 
-/** The direct solution of maps leads where every surface has one; where some have it stands beside the model that all
- * have. */
+/** The direct solution of maps leads if every surface has one; if only some have, it is shown beside the leading model.
+ */
 static void decide_tiles(struct plan *plan, const struct surface_record *surfaces, size_t count)
 {
     double cost = 0;
@@ -171,7 +171,7 @@ void effects_decide(struct plan *plan, const struct scene *scene, const struct s
     effects_fit_models(plan, surfaces, count);
     if (!scene->effects_auto)
         return;
-    unsigned open = plan->running & ~scene->effects; /* what is listed runs whatever it changes */
+    unsigned open = plan->running & ~scene->effects; /* listed effects run in any case */
     if (open & EFFECT_BIT(EFFECT_PLASTICITY))
         decide_plasticity(plan, scene, surfaces, count);
     if (open & EFFECT_BIT(EFFECT_SCALE_DEPENDENT))

@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/** Reads the rough counterface, if the scene has one. It must be readable: no result would mean anything without it. */
+/** Reads the rough counterface, if there is one. Without it no result would mean anything. */
 static enum status_code read_counterface(struct all_surfaces *out, const struct scene *scene, struct status *status)
 {
     if (scene->counterface_surface.files.count == 0)
@@ -28,7 +28,7 @@ static enum status_code read_counterface(struct all_surfaces *out, const struct 
     return STATUS_OK;
 }
 
-/** What the direct solution is of, and costs, or in `plan` would. */
+/** Words for the direct solution: what is solved, and its expected time. */
 static const char *say_direct(const struct plan *plan, const struct direct_plan *first, size_t surfaces,
                               double budget_s)
 {
@@ -67,7 +67,7 @@ static void plan_direct(struct plan *plan, const struct results *results)
                                   direct_plan_problem(none, plan->words)));
 }
 
-/** The loads of every surface: the same list, or each its own of as many. */
+/** The loads P/(A_n E') of every surface: one list for all, or one each if their moduli differ. */
 static enum status_code make_loads(struct all_surfaces *out, const struct scene *scene, struct status *status)
 {
     struct results *results = &out->results;
@@ -107,28 +107,25 @@ void all_surfaces_tell(struct all_surfaces_stage *stage, const char *name, doubl
 /** The pass over all surfaces. */
 struct pass {
     struct all_surfaces *prepared;
-    struct curve_tables *tables; /* that curves go to; NULL: none */
-    const struct plan *plan;     /* of the effects that all run */
-    bool bounded, describe_only; /* all are described, and their effects decided, before any model runs */
+    struct curve_tables *tables; /* to which curves are written; NULL: they stay in memory */
+    const struct plan *plan;     /* effects and models for all surfaces */
+    bool bounded, describe_only; /* bounded: all are read, and effects decided, before any model runs */
     struct all_surfaces_stage stage;
 };
 
-/** Threads that each of so many surfaces has, where as many as there can be are under way. */
-static unsigned share_of(const struct threads *threads, size_t surfaces)
-{
-    return (unsigned)(threads_number(threads, SIZE_MAX) / threads_number(threads, surfaces));
-}
-
+/** What is asked of a surface; as many surfaces as possible run at once, and share the threads evenly. */
 static struct surface_task task_of(const struct pass *all, size_t index)
 {
-    struct surface_task out = results_task(&all->prepared->results, index);
+    const struct results *results = &all->prepared->results;
+    const struct threads *threads = &results->threads;
+    struct surface_task out = results_task(results, index);
     out.plan = all->plan;
-    out.threads = all->prepared->results.threads;
-    out.threads.jobs = share_of(&out.threads, all->prepared->results.surface_count);
+    out.threads = *threads;
+    out.threads.jobs = (unsigned)(threads_number(threads, SIZE_MAX) / threads_number(threads, results->surface_count));
     return out;
 }
 
-/** Describes a surface, unless it is. */
+/** Reads a surface, unless that is done. */
 static enum status_code describe_one(void *context, size_t index, struct threads_turn *turn, struct status *status)
 {
     const struct pass *all = context;
@@ -140,7 +137,7 @@ static enum status_code describe_one(void *context, size_t index, struct threads
                                                 all->prepared->counterface, status);
 }
 
-/** And finds what effects could change on it. */
+/** The same, and bounds what effects could change on it. */
 static enum status_code bound_one(void *context, size_t index, struct threads_turn *turn, struct status *status)
 {
     const struct pass *all = context;
@@ -152,7 +149,7 @@ static enum status_code bound_one(void *context, size_t index, struct threads_tu
     return rc == STATUS_MEMORY ? surface_put_aside(record, asked.scene, status) : rc;
 }
 
-/** The models of a described surface, or the plan alone. */
+/** Runs the models on a surface that has been read, or only plans its direct solution. */
 static enum status_code evaluate_one(const struct pass *all, size_t index, struct status *status)
 {
     const struct scene *scene = all->prepared->results.scene;
@@ -163,7 +160,7 @@ static enum status_code evaluate_one(const struct pass *all, size_t index, struc
     enum status_code rc =
         all->describe_only ? direct_study_plan(record, &asked, status) : surface_answers_find(record, &asked, status);
     if (scene->measured.files.count == 0 && scene->surfaces[index].measured.files.count == 0)
-        surface_drop_scans(record); /* else measured loads will be answered on each */
+        surface_drop_scans(record); /* else the models will run on them at the measured loads */
     return rc == STATUS_MEMORY ? surface_put_aside(record, scene, status) : rc;
 }
 
@@ -183,8 +180,8 @@ static enum status_code run_one(void *context, size_t index, struct threads_turn
     return rc;
 }
 
-/** The place among the loads next to the geometric middle of those at which A/A_n is 0.1 to 10 % on a surface, by the
- * leading model, or what it has of Gaussian heights; the load nearest to 1 % where none is between. */
+/** Finds the load nearest to the geometric middle of those at which A/A_n is 0.1 to 10 %, by the leading model or its
+ * Gaussian part; if there are none, the load with A/A_n nearest to 1 %. */
 static enum status_code middle_place(size_t *place, const struct surface_record *record,
                                      const struct surface_task *asked, struct status *status)
 {
@@ -218,8 +215,7 @@ static enum status_code middle_place(size_t *place, const struct surface_record 
     return rc;
 }
 
-/** The baseline, before any model runs: the scene's, the only one, or by roughness. Of more surfaces than that it is
- * sought among the first hundred. */
+/** The baseline, before any model runs: the scene's, the only one, or chosen by roughness among the first hundred. */
 static enum status_code find_baseline(size_t *baseline, struct pass *all, const struct threads *threads,
                                       struct status *status)
 {
@@ -237,7 +233,7 @@ static enum status_code find_baseline(size_t *baseline, struct pass *all, const 
     return rc;
 }
 
-/** Where the summary stands if the scene does not say. What is described for it stays so. */
+/** Chooses the operating load if the scene gives none. Surfaces read for this stay in memory. */
 static enum status_code choose_operating_load(struct pass *all, const struct threads *threads, struct status *status)
 {
     size_t baseline, place = all->plan->operating_place - 1;
@@ -250,7 +246,7 @@ static enum status_code choose_operating_load(struct pass *all, const struct thr
     return rc;
 }
 
-/** Describes and runs once more the surfaces that the report shows, as all arrays have gone. */
+/** Reads and runs once more the surfaces that the report shows, as all arrays were freed. */
 static enum status_code run_shown(struct pass *all, struct status *status)
 {
     struct results *results = &all->prepared->results;
@@ -264,12 +260,12 @@ static enum status_code run_shown(struct pass *all, struct status *status)
         surface_record_free(record);
         if (describe_one(all, i, NULL, status) != STATUS_OK || evaluate_one(all, i, status) != STATUS_OK ||
             !record->summary.usable)
-            return status_memory(status); /* it is ranked by now, and cannot go aside */
+            return status_memory(status); /* it is already ranked, and cannot be refused any more */
     }
     return STATUS_OK;
 }
 
-/** The baseline's files are the scene's or its own. */
+/** Measurements of the baseline are given by the scene or by the surface, not both. */
 static enum status_code check_both(const struct scene *scene, const struct scene_surface *surface,
                                    struct status *status)
 {
@@ -280,13 +276,7 @@ static enum status_code check_both(const struct scene *scene, const struct scene
                        scene_words_show(surface->name).text);
 }
 
-static enum status_code check_same(bool same, struct status *status)
-{
-    return same ? STATUS_OK : status_fail(status, STATUS_SCENE, "both ECR and TCR are measured; take out one of them");
-}
-
-/** Before any model runs: is there nothing to correct in the files of what was measured? As the pair's modulus scales
- * loads alone, any does. */
+/** Checks the files of measurements before any model runs. The modulus only scales loads, so any will do. */
 static enum status_code check_measured(const struct scene *scene, const struct plan *plan, struct status *status)
 {
     const struct material_pair any = {.effective_modulus_Pa = 1};
@@ -298,8 +288,9 @@ static enum status_code check_measured(const struct scene *scene, const struct p
         if (measured.given->files.count == 0)
             continue;
         first = first ? first : measured.given;
-        if (measured_read(&measured, scene, plan, &any, status) == STATUS_OK)
-            (void)check_same(first->quantity == measured.given->quantity, status);
+        if (measured_read(&measured, scene, plan, &any, status) == STATUS_OK &&
+            first->quantity != measured.given->quantity)
+            (void)!status_fail(status, STATUS_SCENE, "both ECR and TCR are measured; take out one of them");
         before += measured.count;
         measured_free(&measured);
         if (surface && status->code == STATUS_OK &&
@@ -309,7 +300,7 @@ static enum status_code check_measured(const struct scene *scene, const struct p
     return status->code;
 }
 
-/** What was measured, on usable surfaces: on the baseline what the scene says, on others what is said of them. */
+/** Reads the measurements of usable surfaces: the scene's for the baseline, else the surface's own. */
 static enum status_code read_measured(struct all_surfaces *out, struct status *status)
 {
     struct results *results = &out->results;
@@ -369,12 +360,13 @@ enum status_code all_surfaces_run(struct all_surfaces *out, const struct scene *
         (all.bounded && threads_run(threads, scene->surface_count, bound_one, &all, status) != STATUS_OK))
         return status->code;
     struct plan ran = out->plan;
-    ran.words = NULL; /* which are for one thread */
-    if (all.bounded)  /* what one surface calls for runs on all; of more than memory holds, all that is allowed */
+    ran.words = NULL; /* words are for one thread */
+    if (all.bounded)  /* an effect needed on one surface runs on all; with too many surfaces for memory, all allowed
+                         effects run */
         effects_decide(&out->plan, scene, results->surfaces, results->surface_count);
     ran.running = out->plan.running;
     ran.wanted = out->plan.wanted;
-    all.plan = &ran; /* of whose models each surface runs those that it has an answer by */
+    all.plan = &ran; /* each surface runs those of its models that can answer */
     if (curves && curve_tables_open(&all.tables, results, &out->plan, curves, status) != STATUS_OK)
         return curve_tables_close(all.tables, status);
     enum status_code rc = threads_run(threads, scene->surface_count, run_one, &all, status);
@@ -398,11 +390,11 @@ enum status_code all_surfaces_run(struct all_surfaces *out, const struct scene *
         struct surface_record *record = &results->surfaces[i];
         const struct surface_task asked = results_task(results, i);
         const struct model_task task = surface_model_task(record, &asked);
-        if (record->curves) /* alone, a map was led by its own solution */
+        if (record->curves) /* on its own, a map was led by its direct solution */
             answers_check_limits(record, scene, &out->plan, &task);
     }
     (void)read_measured(out, status);
-    return status->code; /* perhaps for want of a word */
+    return status->code; /* perhaps a missing word in words.txt */
 }
 
 void all_surfaces_free(struct all_surfaces *prepared)

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What `plan` and `report` share: every surface of the scene in one pass, its effects joined, surfaces ranked. */
+/* What the commands `plan` and `report` share: all surfaces are read, their effects decided, the models run, and the
+ * surfaces ranked. */
 #ifndef RUN_ALL_SURFACES_H
 #define RUN_ALL_SURFACES_H
 
@@ -9,18 +10,18 @@
 #include "run/run.h"
 #include <pthread.h>
 
-/** Owned: all_surfaces_free(). Not to be moved: its parts point at each other. */
+/** Owned: all_surfaces_free(). Must not be copied: its parts point at each other. */
 struct all_surfaces {
-    struct plan plan;                   /* the effects that the scene allows and a surface called for */
+    struct plan plan;                   /* the effects that run */
     double *loads;                      /* P/(A_n E') */
     struct surface_record *counterface; /* NULL: smooth */
     struct measured *measured;          /* one a surface; NULL: none */
     struct words words;
     struct results results;
-    struct results_infinite infinite; /* of the tables */
+    struct results_infinite infinite; /* infinite numbers in the tables */
 };
 
-/** A stage of the work, of which several threads tell how far they are. */
+/** A stage of the work, for the display of progress by several threads. */
 struct all_surfaces_stage {
     const struct run_options *options;
     const char *stage, *name; /* as run_options.progress has them */
@@ -28,13 +29,13 @@ struct all_surfaces_stage {
     pthread_mutex_t lock;
 };
 
-/** Adds `work` of `all`, done to the thing `name`, and tells who asks for it, one thread at a time. */
+/** Adds `work` done on `name`, of `all`, and reports it, one thread at a time. */
 void all_surfaces_tell(struct all_surfaces_stage *stage, const char *name, double work, double all);
 
-/** Runs every surface of the scene, one a thread: describes it and, unless `describe_only`, runs its models. A surface
- * that cannot be read is marked. Curves stay in memory; where `curves` is not NULL they go to the
- * files of curve_tables_open() in that directory, and stay only of the surfaces that the report shows. Errors:
- * STATUS_SCAN when the scene has no surface; STATUS_IO, STATUS_MEMORY, STATUS_INTERRUPTED. */
+/** Reads every surface of the scene, one per thread, and runs its models unless `describe_only`. Surfaces that cannot
+ * be read are marked. If `curves` is not NULL, curves go to the files of curve_tables_open() in that directory, and
+ * only those of the surfaces shown in the report stay in memory. Errors: STATUS_SCAN if the scene has no surface;
+ * STATUS_IO, STATUS_MEMORY, STATUS_INTERRUPTED. */
 MUST_CHECK enum status_code all_surfaces_run(struct all_surfaces *out, const struct scene *scene,
                                              const struct run_options *options, bool describe_only, const char *curves,
                                              struct status *status);

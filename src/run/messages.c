@@ -4,18 +4,18 @@
 #include <string.h>
 
 enum {
-    KINDS = 64,        /* of others every message is said */
-    REFUSALS_SAID = 10 /* of what is refused; more are counted */
+    KINDS = 64,        /* kinds of notes that are counted; notes of further kinds get a line each */
+    REFUSALS_SAID = 10 /* lines on refused surfaces and scans; more are only counted */
 };
 
-/** Notes that differ in nothing but their numbers and names. */
+/** Notes that differ only in numbers and names. */
 struct kind {
     size_t surfaces;
     const char *first, *last; /* of the surfaces */
     const struct note *note;  /* of the first */
 };
 
-/** Where a text goes on behind digits and what stands between single quotes. */
+/** Skips digits and names in single quotes. */
 static const char *skip_names(const char *line)
 {
     for (;;) {
@@ -36,7 +36,7 @@ static bool is_alike(const char *a, const char *b)
     return *a == *b;
 }
 
-/** The file of a counterface's note; which one of the surface's own it is does not matter. */
+/** The file of a counterface's note; files of the surface itself are not distinguished. */
 static const char *file_of(const struct note *note)
 {
     return !note->counterface ? "/" : note->counterface->subject ? note->counterface->subject : "";
@@ -51,7 +51,7 @@ static void say(struct text *messages, const char *surface, const char *what, co
     text_add(messages, "\n");
 }
 
-/** The note of a kind. */
+/** Adds the line of a kind. */
 static void say_note(struct text *messages, const struct kind *kind, struct words *words)
 {
     struct text line = {0};
@@ -63,7 +63,7 @@ static void say_note(struct text *messages, const struct kind *kind, struct word
     text_free(&line);
 }
 
-/** Counts a note among those alike; false: there are too many kinds. */
+/** Counts a note with its kind; false: there are too many kinds. */
 static bool take(struct kind kinds[KINDS], const char *surface, const struct note *note)
 {
     size_t k = 0;
@@ -81,7 +81,7 @@ static bool take(struct kind kinds[KINDS], const char *surface, const struct not
 
 size_t messages_add(struct text *messages, const struct results *results, bool reported)
 {
-    size_t refused = 0, refusals = 0; /* of surfaces; and of scans with them */
+    size_t refused = 0, refusals = 0; /* surfaces; surfaces and scans */
     struct kind kinds[KINDS] = {0};   /* in the order in which they were met */
     if (results->scene && results->scene->passed_over)
         text_add(messages, "%s\n", results->scene->passed_over);
@@ -96,7 +96,7 @@ size_t messages_add(struct text *messages, const struct results *results, bool r
             refusals += note->refused_scan;
             if ((summary->refusal || note->refused_scan) && refusals > REFUSALS_SAID)
                 continue;
-            bool alone = !reported || summary->refusal || note->refused_scan; /* in no report, or to be seen to */
+            bool alone = !reported || summary->refusal || note->refused_scan; /* not in the report, or needs action */
             if (alone || !take(kinds, name, note))
                 say_note(messages, &(struct kind){1, name, name, note}, results->plan->words);
         }

@@ -1,16 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a run says of its surfaces on stderr: what was passed over, refused and warned of. */
+/* Messages on stderr about surfaces: what was passed over and refused, and warnings. */
 #ifndef RUN_MESSAGES_H
 #define RUN_MESSAGES_H
 
 #include "run/all_surfaces.h"
 
-/** A line each; returns how many surfaces were refused. Where notes stand in a report too (`reported`), those that
- * differ in nothing but numbers and names in quotes are one line: the first surface's, with the number of the others.
- */
+/** Adds a line for each; returns the number of refused surfaces. If a report has the notes too (`reported`), those that
+ * differ only in numbers and quoted names become one line: that of the first surface, with the number of the others. */
 size_t messages_add(struct text *messages, const struct results *results, bool reported);
 
-/** How many scans were refused of surfaces, and of the counterface, that go on with their others. */
+/** Number of refused scans of surfaces, and of the counterface, that are used with their other scans. */
 size_t messages_left_out(const struct all_surfaces *prepared);
 
 #endif

@@ -21,7 +21,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/** A run in progress: what each stage leaves for the next. */
+/** A run in progress: what each stage hands to the next. */
 struct run {
     const struct scene *scene;
     const struct run_options *options;
@@ -36,10 +36,10 @@ struct run {
     json_t *claims, *headline, *view;
     double *sweeps;
     struct direct_study *direct; /* results->direct_count of them */
-    size_t direct_lost;          /* surfaces whose direct solution memory was short for */
+    size_t direct_lost;          /* surfaces whose direct solution ran out of memory */
 };
 
-/** The convergence study: every sweep by every model that stacks scales. */
+/** The convergence study: every sweep, by every model that stacks scales. */
 static enum status_code run_sweeps(struct run *run, struct status *status)
 {
     struct results *results = run->results;
@@ -79,8 +79,8 @@ static void add_times(struct run_times *times, const struct results *results)
     }
 }
 
-/** A surface at the loads that were measured on it, and the factor to the leading model, with which its targets may be
- * solved once more. */
+/** Runs the models at the loads measured on a surface, fits the factor to the leading model, and solves the targets
+ * once more with it. */
 static enum status_code run_measured_on(struct run *run, size_t surface, struct status *status)
 {
     struct results *results = run->results;
@@ -155,7 +155,8 @@ static enum status_code run_direct(struct run *run, struct status *status)
             note_add(&record->summary.notes, NULL, "note.no_direct\nwhy\t%s", problem.message);
             run->direct_lost++;
         }
-        if (rc == STATUS_MEMORY || rc == STATUS_MODEL || rc == STATUS_SCAN) { /* no number then; the curves stand */
+        if (rc == STATUS_MEMORY || rc == STATUS_MODEL ||
+            rc == STATUS_SCAN) { /* then there is no direct solution, but the models' curves stay */
             direct_study_free(study);
             direct_plan_give_up(record->summary.direct, problem.message);
         } else if (rc != STATUS_OK) {
@@ -170,7 +171,7 @@ static enum status_code run_direct(struct run *run, struct status *status)
     return STATUS_OK;
 }
 
-/** What the pictures of maps and the table of their spots show: the contact of a map that a model has solved. */
+/** Solves the contact of a map for its picture and the table of spots. */
 static enum status_code look_at_map(void *context, size_t index, struct threads_turn *turn, struct status *status)
 {
     const struct run *run = context;
@@ -186,7 +187,7 @@ static enum status_code look_at_map(void *context, size_t index, struct threads_
                : STATUS_OK;
 }
 
-/** A stage's wall time: from the last call to this one. */
+/** Wall time since the last call. */
 static double lap(double *last)
 {
     double now = clock_seconds(), passed = now - *last;
@@ -235,8 +236,7 @@ static enum status_code begin_charts(struct run *run, struct status *status)
     return rc;
 }
 
-/** From the evaluated surfaces to the files of the report. gnuplot draws while costs are measured and tables written.
- */
+/** Writes the files of the report. gnuplot draws while costs are measured and tables written. */
 static enum status_code write_all(struct run *run, struct run_outcome *out, struct status *status)
 {
     const struct run_options *options = run->options;
@@ -317,11 +317,11 @@ enum status_code run_report(struct run_outcome *out, const struct scene *scene, 
         (void)write_all(&run, out, status);
     enum status_code rc = status->code;
     if (run.output.staging[0] && (stopped(&run) || rc == STATUS_INTERRUPTED)) {
-        *status = (struct status){0}; /* whatever else went wrong: Ctrl-C stops gnuplot too, perhaps first */
+        *status = (struct status){0}; /* replaces other errors: Ctrl-C also stops gnuplot, perhaps first */
         rc =
             status_fail(status, STATUS_INTERRUPTED, "stopped by a signal; '%s' is as it was before", run.output.target);
     }
-    if (rc != STATUS_OK && rc != STATUS_INTERRUPTED && status_lost) /* whatever went wrong then comes of it */
+    if (rc != STATUS_OK && rc != STATUS_INTERRUPTED && status_lost) /* then any other error follows from that */
         rc = (*status = (struct status){0}, status_memory(status));
     if (rc == STATUS_OK && asprintf(&out->path, "%s/report.html", run.output.target) < 0)
         rc = status_memory(status);

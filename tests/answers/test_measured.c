@@ -5,8 +5,6 @@
 #include "scene/measured_file.h"
 #include <gsl/gsl_randist.h>
 
-static struct directory place;
-
 /* What the scene says of a file: quantity, units ("" for none), and the contact's area [m²], NaN for none. */
 struct said {
     enum scene_measured_quantity quantity;
@@ -19,12 +17,12 @@ static enum status_code read_csv(struct measured *out, const char *csv, const st
 {
     static char name[] = "ecr.csv", *names[] = {name};
     struct plan plan = {.running = EFFECT_BIT(EFFECT_ELECTRICAL) | EFFECT_BIT(EFFECT_THERMAL)};
-    struct scene scene = {.directory = place.path, .nominal_area_m2 = said->area_m2};
+    struct scene scene = {.directory = directory_here.path, .nominal_area_m2 = said->area_m2};
     scene.measured = (struct scene_measured){.files = {names, 1}, .quantity = said->quantity};
     snprintf(scene.measured.load_unit, UNIT_LENGTH, "%s", said->load_unit);
     snprintf(scene.measured.resistance_unit, UNIT_LENGTH, "%s", said->resistance_unit);
     const struct material_pair pair = {.effective_modulus_Pa = 1e10};
-    directory_write(&place, name, csv);
+    directory_write(&directory_here, name, csv);
     *status = (struct status){0};
     *out = (struct measured){.given = &scene.measured};
     return measured_read(out, &scene, &plan, &pair, status);
@@ -221,7 +219,7 @@ TEST_CASE(what_is_wrong_is_named)
     }
 }
 
-/* Whatever bytes stand in a file of no more bytes than those, it is read to finite numbers or refused. */
+/* Any bytes are either read to finite numbers or refused, and nothing behind their end is read. */
 TEST_CASE(any_bytes_are_read_or_refused)
 {
     static const char sample[] =
@@ -262,11 +260,11 @@ TEST_CASE(files_are_runs)
     struct measured measured;
     struct plan plan = {.running = EFFECT_BIT(EFFECT_ELECTRICAL)};
     struct status status = {0};
-    struct scene scene = {.directory = place.path, .nominal_area_m2 = 1e-6};
+    struct scene scene = {.directory = directory_here.path, .nominal_area_m2 = 1e-6};
     struct scene_measured given = {.files = {names, 2}};
     const struct material_pair pair = {.effective_modulus_Pa = 1e10};
-    directory_write(&place, names[0], "load (N),R (mOhm)\n1,9\n3,5\n2,6\n");
-    directory_write(&place, names[1], "R (Ohm),load (mN)\n4e-3,5000\n5e-3,4000\n7e-3,2000\n");
+    directory_write(&directory_here, names[0], "load (N),R (mOhm)\n1,9\n3,5\n2,6\n");
+    directory_write(&directory_here, names[1], "R (Ohm),load (mN)\n4e-3,5000\n5e-3,4000\n7e-3,2000\n");
     measured = (struct measured){.given = &given};
     expect_ok(measured_read, &measured, &scene, &plan, &pair);
     assert_int_equal(measured.count, 6);
@@ -290,18 +288,19 @@ TEST_CASE(files_are_runs)
     expect_fails(STATUS_SCENE, "the effect thermal does not run", measured_read, &measured, &scene, &plan, &pair);
 }
 
-/** Answers of all models, none yet. */
+/** Answers of all models, none yet; good until the next call. */
 static struct measured_answers no_answers(const struct measured *measured)
 {
-    struct measured_answers answers = {.resistance = malloc(model_count * measured->count * sizeof(double))};
-    assert_non_null(answers.resistance);
-    for (size_t i = 0; i < model_count * measured->count; i++)
-        answers.resistance[i] = NAN;
-    return answers;
+    enum { MOST = 64 * 80 };
+    static double resistance[MOST];
+    assert_true(model_count * measured->count <= MOST);
+    for (size_t i = 0; i < MOST; i++)
+        resistance[i] = NAN;
+    return (struct measured_answers){.resistance = resistance};
 }
 
-/** Measurements that are a model's answers times a factor: the distance is its logarithm; what it does not answer is
- * not compared. */
+/** Measurements that are a factor times a model's answers: the distance is the factor's logarithm. Loads without an
+ * answer are not compared. */
 TEST_CASE(distance_is_in_decades)
 {
     double loads[] = {1, 3e-5, 4e-4, 1e-7, 2e-6, 5e-5}, resistances[6]; /* in the order of a measurement */
@@ -317,7 +316,6 @@ TEST_CASE(distance_is_in_decades)
     assert_near(distance.rms_decades, log10(4), 1e-12);
     assert_near(distance.bias_decades, -log10(4), 1e-12);
     assert_true(isnan(measured_compare(&measured, &answers, 0).rms_decades));
-    measured_answers_free(&answers);
 }
 
 /** Runs of which the contact carries 0.6 of the conductance of model 1, off by what points and runs scatter; on the way
@@ -340,9 +338,7 @@ static struct estimate fit_made(size_t runs, double points_sd, double runs_sd, c
         }
     }
     expect_ok(measured_fit, &answers, &measured, 1);
-    const struct estimate fit = answers.fit;
-    measured_answers_free(&answers);
-    return fit;
+    return answers.fit;
 }
 
 /** The exponent of two runs of `points` loads over two decades whose conductance goes as P^power, power NaN: as the
@@ -363,14 +359,12 @@ static struct measured_exponent exponent_made(double power, size_t points, doubl
         ohm_m2[i] = (i < points ? 1e-8 : 3e-8) * exp(gsl_ran_gaussian(random, sd) - (isnan(power) ? curve : power * x));
     }
     expect_ok(measured_fit, &answers, &measured, 1);
-    const struct measured_exponent out = answers.exponent;
-    measured_answers_free(&answers);
-    return out;
+    return answers.exponent;
 }
 
-/** Parts that are not flat are said where the conductance grows more slowly than the model's by more than the error and
- * .08, and a resistance in series does not explain it: not of the model's own curve, of one that is as steep within the
- * error, of few or scattered points, nor of a steeper one. */
+/** "Not flat" is said if the conductance's exponent is below the model's by more than the error and 0.08, and no series
+ * resistance explains that: not for the model's own curve, one as steep within the error, few or scattered points, or a
+ * steeper curve. */
 TEST_CASE(parts_that_are_not_flat)
 {
     static const struct {
@@ -412,11 +406,10 @@ TEST_CASE(a_resistance_in_series_is_no_shape)
     expect_ok(measured_fit, &answers, &measured, 1);
     assert_true(answers.exponent.measured < 0.8);
     assert_false(answers.exponent.not_flat);
-    measured_answers_free(&answers);
 }
 
-/** Without scatter the factor itself, without a width; with it an interval that holds it 95 times of 100, also where
- * runs differ by far more than their points do. */
+/** Without scatter the factor comes back exactly, without an interval; with scatter the interval contains it in 95 % of
+ * cases, even if runs differ far more than the points of a run. */
 TEST_CASE(the_factor_comes_back)
 {
     enum { SETS = 1000 };
@@ -444,7 +437,7 @@ TEST_CASE(the_factor_comes_back)
     gsl_rng_free(random);
 }
 
-/** The nearest of the models that answer enough of the points: not the one that happens to meet a single one. */
+/** Only models that answer enough of the points can be the nearest, not one that happens to meet a single point. */
 TEST_CASE(models_are_ranked)
 {
     enum { MODELS = 4, POINTS = 5 }; /* that have a curve: the first in the table */
@@ -466,14 +459,12 @@ TEST_CASE(models_are_ranked)
     for (int i = 0; i < 3; i++) /* three of five, and those are met */
         answers.resistance[3 * POINTS + i] = resistances[i];
     assert_int_equal(measured_nearest(&measured, &answers), 3);
-    measured_answers_free(&answers);
     answers = no_answers(&measured);
     assert_int_equal(measured_nearest(&measured, &answers), model_count);
-    measured_answers_free(&answers);
 }
 
-/** Each model at the measured loads itself, between two loads of the run as far apart as its ends: what one alone says
- * there, once a load; nothing beyond, and not a resistance of 0. */
+/** Models are run at the measured loads themselves, without interpolation; outside the scene's loads, and where the
+ * resistance is 0, there is no answer. */
 TEST_CASE(models_answer_at_the_measured_loads)
 {
     enum { HARMONICS = 40, POINTS = 6 };
@@ -503,9 +494,7 @@ TEST_CASE(models_answer_at_the_measured_loads)
                 double answer = answers.resistance[m * POINTS + (size_t)i];
                 struct contact_point points[2];
                 struct model_curve curve = {.points = points};
-                struct model_task alone = task;
-                alone.loads = &loads[i];
-                alone.load_count = 1;
+                const struct model_task alone = model_task_at(&task, &loads[i], 1);
                 if (!(models & MODEL_BIT(m)) || loads[i] < ends[0]) {
                     assert_true(isnan(answer));
                     continue;
@@ -524,18 +513,4 @@ TEST_CASE(models_answer_at_the_measured_loads)
     }
 }
 
-static int set_up(void **state)
-{
-    (void)state;
-    place = directory_make();
-    return 0;
-}
-
-static int tear_down(void **state)
-{
-    (void)state;
-    directory_remove(&place);
-    return 0;
-}
-
-TEST_GROUP(set_up, tear_down)
+TEST_GROUP(directory_setup, directory_teardown)

@@ -36,7 +36,7 @@ TEST_CASE(as_a_shape_that_is_given)
     assert_true(factor_of(0.3e-6, 0.04, 1e8, INFINITY, JOINT_HEAT) > 2.5);
 }
 
-/** A gap that gives way, or a small part, does not care. */
+/** With a compliant gap, or on a small part, the bulge makes no difference. */
 TEST_CASE(where_it_is_nothing)
 {
     assert_near(factor_of(30e-6, 0.02, 1e8, INFINITY, JOINT_HEAT), 1, 0.03);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Which scans are the same as one before. */
+/* Which scans count as copies of an earlier one. */
 #include "members/copies.h"
 
 #include "support.h"
@@ -26,8 +26,8 @@ static const char *find(struct copies *copies, struct scan scan, const char *fil
     return of;
 }
 
-/* An offset and rounding leave it a copy; other heights, another place, scale, spacing or length do not, nor rounding
- * that leaves too little of it. */
+/* With an offset or fine rounding a scan is still a copy; with other heights, another place, scale, spacing or length,
+ * or coarse rounding, it is not. */
 TEST_CASE(what_a_copy_is)
 {
     struct copies copies = {0};

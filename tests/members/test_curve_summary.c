@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a curve is condensed to, on curves whose numbers follow from a formula. */
+/* The summary of curves whose values follow from a formula. */
 #include "members/curve_summary.h"
 #include "support.h"
 
-enum { LOADS = 41 };
+enum { LOADS = 41, FEW = 8 };
 
 static struct contact_point points[LOADS];
 static struct model_curve curve;
@@ -42,7 +42,7 @@ TEST_CASE(test_the_slope_of_the_area)
     make(1);
     struct curve_summary s = summary_of();
     assert_near(s.area_slope, 0.9, 1e-9);
-    for (int i = 0; i < LOADS; i++) /* no part of the law from A/A_n = 0.1 on */
+    for (int i = 0; i < LOADS; i++) /* areas from A/A_n = 0.1 on are not used */
         if (points[i].value[QUANTITY_AREA] >= 0.1)
             points[i].value[QUANTITY_AREA] = 0.1 + 0.1 * points[i].value[QUANTITY_AREA];
     assert_near(summary_of().area_slope, 0.9, 1e-9);
@@ -124,4 +124,36 @@ TEST_CASE(test_the_rest)
     stacked.quantities &= ~QUANTITY_BIT(QUANTITY_ADJUSTED);
     curve_summary_make(&s, &curve, &stacked, 1e-7, NAN);
     assert_near(s.gap_at_full, 0.3, 1e-12);
+}
+
+/* Which part of a curve is valid: light loads may be outside the range as well as heavy ones. */
+static void check(const double beyond_fit[FEW], const double area[FEW], size_t first, size_t end)
+{
+    curve = (struct model_curve){.exists = true, .points = points, .count = FEW};
+    struct curve_summary summary = {0};
+    for (size_t i = 0; i < FEW; i++)
+        points[i] = (struct contact_point){.value[QUANTITY_LOAD] = 1e-4 * (double)(i + 1),
+                                           .value[QUANTITY_AREA] = area[i],
+                                           .beyond_fit = beyond_fit[i]};
+    assert_validity(&plain, first, end);
+    curve_summary_make(&summary, &curve, &plain, 1e-6, NAN);
+    if (end < FEW)
+        assert_near(summary.invalid_load, points[end].value[QUANTITY_LOAD], 0);
+    else
+        assert_true(isnan(summary.invalid_load));
+}
+
+TEST_CASE(test_inside_and_outside)
+{
+    static const double none[FEW] = {0}, light[FEW] = {1, 1, 0}, heavy[FEW] = {0, 0, 0, 0, 0, 0.1, 0.11, 0.2},
+                        both[FEW] = {1, 0, 0, 0, 0, 0, 0, 1}, all[FEW] = {1, 1, 1, 1, 1, 1, 1, 1};
+    static const double small[FEW] = {0.01, 0.01, 0.02, 0.02, 0.03, 0.03, 0.04, 0.05},
+                        grows[FEW] = {0.01, 0.02, 0.03, 0.1, 0.2, 0.3, 0.4, 0.5};
+    check(none, small, 0, FEW);
+    check(light, small, 2, FEW); /* a middle load behind them is inside */
+    check(heavy, small, 0, 6);
+    check(both, small, 1, 7);
+    check(all, small, 0, 0);
+    check(none, grows, 0, 4);
+    check(light, grows, 2, 4);
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The contact of a map at one load: spots where the bumps are, that carry all of the load. */
+/* The contact of a map at one load: its spots lie on the bumps and carry all of the load. */
 #include "members/map_contact.h"
 
 #include "support.h"
@@ -44,9 +44,8 @@ static double force(const struct map_contact *contact)
     return sum;
 }
 
-/* Of four bumps the lower ones, far below, touch nowhere; the others are two spots at their places, of the same size,
- * and carry half of the load each. With a hardness, spots are as large as it asks, all of the section is below it, and
- * the picture says where. */
+/* Of four bumps the two low ones do not touch; the others are two spots at their places, which carry all of the load.
+ * With a hardness no pressure exceeds it, and the picture shows where it is reached. */
 TEST_CASE(bumps_are_spots)
 {
     static const double at[][3] = {{24, 30, 0}, {71, 65, 0}, {20, 80, -8e-7}, {75, 15, -8e-7}};
@@ -84,8 +83,8 @@ TEST_CASE(bumps_are_spots)
     map_contact_free(&capped);
 }
 
-/* A bump on the corner of a map that closes is one spot at the corner; of one that does not, four of them, a quarter
- * each, would be four bumps. */
+/* A bump on the corner of a periodic map is a single spot; on a map that is not periodic its quarters are four spots.
+ */
 TEST_CASE(spots_go_on_over_the_edge)
 {
     static const double corners[][3] = {{0, 0, 0}, {SIDE - 1, 0, 0}, {0, SIDE - 1, 0}, {SIDE - 1, SIDE - 1, 0}};
@@ -101,8 +100,8 @@ TEST_CASE(spots_go_on_over_the_edge)
     map_contact_free(&four);
 }
 
-/* A larger map has a picture of half as many cells a side, which shows every spot; a load beyond the hardness has none.
- */
+/* The picture of a larger map has half as many cells a side and still shows every spot; above the hardness there is
+ * none. */
 TEST_CASE(pictures_are_small)
 {
     enum { LARGE = 320 };

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What is known of a number from its value of every scan, piece or row. Student's quantiles from tables. */
+/* Mean and interval of a number from its values on scans, pieces or rows. Student's quantiles are from tables. */
 #include "contact/multiscale.h"
 #include "members/repeats.h"
 #include "statistics/interval.h"
@@ -7,13 +7,27 @@
 
 enum { MOST = 64, LOADS = 5 };
 
-/* Parts of the scans given, one value a part. */
-static struct ensemble set_of(struct member *parts, const size_t *scan, size_t count, struct ensemble_scan *scans,
-                              size_t scan_count)
+static struct member parts[MOST];
+static struct ensemble_scan scans[MOST];
+
+/* Parts of the scans given, one value a part; weight NULL: all of them 1. */
+static struct ensemble set_of(size_t count, const size_t *scan, const double *weight)
 {
-    for (size_t p = 0; p < count; p++)
+    for (size_t p = 0; p < count; p++) {
         parts[p] = (struct member){.scan = scan[p]};
-    return (struct ensemble){.members = parts, .count = count, .scans = scans, .scan_count = scan_count};
+        scans[scan[p]] = (struct ensemble_scan){.weight = weight ? weight[scan[p]] : 1};
+    }
+    return (struct ensemble){
+        .members = parts, .count = count, .scans = scans, .scan_count = count > 0 ? scan[count - 1] + 1 : 0};
+}
+
+/* The curve of a set, whose band is the test's. */
+static struct ensemble_result run_set(struct model_curve *curve, const struct ensemble *set,
+                                      const struct model_row *model, const struct model_task *task)
+{
+    struct ensemble_result result = {.band = test_owns(ensemble_band_make(task->loads, task->load_count), free)};
+    expect_ok(ensemble_curve, curve, &result, set, model, task);
+    return result;
 }
 
 static struct model_task task_of(const struct member *first, const double *loads, size_t count)
@@ -49,9 +63,7 @@ TEST_CASE(three_scans)
 {
     static const size_t scan[] = {0, 1, 2};
     static const double value[] = {1, 4, 16};
-    struct member parts[3];
-    struct ensemble_scan scans[3] = {{.weight = 1}, {.weight = 1}, {.weight = 1}};
-    struct ensemble set = set_of(parts, scan, 3, scans, 3);
+    struct ensemble set = set_of(3, scan, NULL);
     struct estimate estimate;
     expect_ok(estimate_all, &estimate, value, &set, true);
     double sd = log(4), t = 4.302652729911275;
@@ -81,14 +93,13 @@ static double half_width(double s, double own)
     return interval_quantile(0.95, pow(hypot(s, own) / s, 4)) * hypot(s, own);
 }
 
-/** Pieces of a scan count together, as much as they are many: ln 2 and the mean of ln 8, ln 32, weights 1 and 2. */
+/** Pieces of a scan are averaged first and weigh by their number: ln 2, and the mean of ln 8 and ln 32, weights 1
+ * and 2. */
 TEST_CASE(pieces)
 {
     static const size_t scan[] = {0, 1, 1};
     static const double value[] = {2, 8, 32};
-    struct member parts[3];
-    struct ensemble_scan scans[2] = {{.weight = 1}, {.weight = 2}};
-    struct ensemble set = set_of(parts, scan, 3, scans, 2);
+    struct ensemble set = set_of(3, scan, (const double[]){1, 2});
     struct estimate estimate;
     expect_ok(estimate_all, &estimate, value, &set, true);
     assert_int_equal(estimate.count, 2);
@@ -97,14 +108,12 @@ TEST_CASE(pieces)
     assert_near(estimate.degrees, 1, 1e-15);
 }
 
-/** Rows of a map are not independent: their mean, and no interval. */
+/** Rows of a map are not independent: they have a mean, but no interval. */
 TEST_CASE(rows)
 {
     size_t scan[MOST] = {0};
     double value[MOST];
-    struct member parts[MOST];
-    struct ensemble_scan scans[1] = {{.weight = 1}};
-    struct ensemble set = set_of(parts, scan, MOST, scans, 1);
+    struct ensemble set = set_of(MOST, scan, NULL);
     struct estimate estimate;
     for (int i = 0; i < MOST; i++)
         value[i] = i;
@@ -113,15 +122,13 @@ TEST_CASE(rows)
     assert_true(isnan(estimate.s) && isnan(estimate_end(&estimate, 0)) && isnan(estimate_next_end(&estimate, 0)));
 }
 
-/** A value that is missing, or not positive where logarithms count, leaves nothing known; equal ones have no interval,
- * rather than one of no width. */
+/** A missing value, or one that has no logarithm, leaves nothing known. Equal values have no interval, rather than one
+ * of zero width. */
 TEST_CASE(nothing_known)
 {
     static const size_t scan[] = {0, 1};
     static const double missing[] = {1, NAN}, closed[] = {1, 0}, same[] = {0.3, 0.3};
-    struct member parts[2];
-    struct ensemble_scan scans[2] = {{.weight = 1}, {.weight = 1}};
-    struct ensemble set = set_of(parts, scan, 2, scans, 2);
+    struct ensemble set = set_of(2, scan, NULL);
     struct estimate estimate;
     expect_ok(estimate_all, &estimate, missing, &set, false);
     assert_int_equal(estimate.count, 0);
@@ -141,17 +148,15 @@ TEST_CASE(nothing_known)
     assert_true(isfinite(estimate_end(&estimate, 1)) && isnan(estimate_next_end(&estimate, 1)));
 }
 
-/** The curve of a surface is the mean of its scans' own, not that of their mean spectrum: a scan in two pieces counts
- * twice, by the logarithms of area and of separation/sigma, each part's over its own. */
+/** The curve of a surface is the mean of its scans' curves, not the curve of their mean spectrum. A scan in two pieces
+ * counts twice; logarithms of area and of separation over each part's own sigma are averaged. */
 TEST_CASE(the_mean_of_curves)
 {
     static const size_t scan[] = {0, 1, 1};
     static const double loads[LOADS] = {1e-6, 1e-5, 1e-4, 1e-3, 7e-2};
     double amplitude_m[3][3] = {{1e-6, 2e-7, 5e-8}, {2e-6, 3e-7, 2e-8}, {1.5e-6, 1e-7, 8e-8}};
     const struct model_row *model = &model_multiscale_elastic;
-    struct member parts[3];
-    struct ensemble_scan scans[2] = {{.weight = 1}, {.weight = 2}};
-    struct ensemble set = set_of(parts, scan, 3, scans, 2);
+    struct ensemble set = set_of(3, scan, (const double[]){1, 2});
     for (int p = 0; p < 3; p++) {
         parts[p].spectrum = (struct spectrum){amplitude_m[p], 3, 1e-4, false};
         roughness_from_spectrum(&parts[p].roughness, &parts[p].spectrum);
@@ -160,9 +165,7 @@ TEST_CASE(the_mean_of_curves)
     struct model_task task = task_of(&parts[0], loads, LOADS);
     struct contact_point points[LOADS + 1], own_points[3][LOADS + 1];
     struct model_curve curve = {.points = points}, own[3];
-    struct ensemble_result result = {.band = ensemble_band_make(loads, LOADS)};
-    assert_non_null(result.band);
-    expect_ok(ensemble_curve, &curve, &result, &set, model, &task);
+    const struct ensemble_result result = run_set(&curve, &set, model, &task);
     size_t reached = LOADS;
     double full = 0;
     for (int p = 0; p < 3; p++) {
@@ -212,19 +215,16 @@ TEST_CASE(the_mean_of_curves)
     }
     assert_near(estimate_value(&result.estimates[QUANTITY_AREA]), curve.points[LOADS / 2].value[QUANTITY_AREA], 1e-12);
     assert_int_equal(result.left_out, 0);
-    free(result.band);
 }
 
-/** The same part again and again has its own curve, and no intervals. */
+/** The mean of equal parts is their curve, without intervals. */
 TEST_CASE(the_mean_of_one_curve)
 {
     static const size_t scan[] = {0, 1, 2};
     static const double loads[LOADS] = {1e-6, 1e-5, 1e-4, 1e-3, 1e-2};
     double amplitude_m[2] = {1e-6, 2e-7};
     const struct model_row *model = &model_multiscale_elastic;
-    struct member parts[3];
-    struct ensemble_scan scans[3] = {{.weight = 1}, {.weight = 1}, {.weight = 1}};
-    struct ensemble set = set_of(parts, scan, 3, scans, 3);
+    struct ensemble set = set_of(3, scan, NULL);
     for (int p = 0; p < 3; p++) {
         parts[p].spectrum = (struct spectrum){amplitude_m, 2, 1e-4, false};
         roughness_from_spectrum(&parts[p].roughness, &parts[p].spectrum);
@@ -233,9 +233,7 @@ TEST_CASE(the_mean_of_one_curve)
     struct model_task task = task_of(&parts[0], loads, LOADS);
     struct contact_point points[LOADS + 1], own_points[LOADS + 1];
     struct model_curve curve = {.points = points}, own = {.points = own_points};
-    struct ensemble_result result = {.band = ensemble_band_make(loads, LOADS)};
-    assert_non_null(result.band);
-    expect_ok(ensemble_curve, &curve, &result, &set, model, &task);
+    const struct ensemble_result result = run_set(&curve, &set, model, &task);
     expect_ok(model_run, &own, model, &task);
     assert_int_equal(curve.count, own.count);
     assert_near(curve.full_load, own.full_load, 1e-14);
@@ -246,19 +244,15 @@ TEST_CASE(the_mean_of_one_curve)
     }
     for (int side = 0; side < 2; side++)
         assert_true(isnan(result.band[0].mean[QUANTITY_AREA][side]));
-    free(result.band);
 }
 
-/** Loads that one part does not reach are left out: it is in full contact; the last point is then the full contact of
- * all. */
+/** Loads above the first part's full contact are left out; the last point is the mean full contact. */
 TEST_CASE(the_end_of_curves)
 {
     enum { FINE = 60 };
     static const size_t scan[] = {0, 1};
     const struct model_row *model = model_rows[model_named("gw")];
-    struct member parts[2];
-    struct ensemble_scan scans[2] = {{.weight = 1}, {.weight = 1}};
-    struct ensemble set = set_of(parts, scan, 2, scans, 2);
+    struct ensemble set = set_of(2, scan, NULL);
     double loads[FINE], amplitude_m = 1e-6;
     for (int i = 0; i < FINE; i++)
         loads[i] = pow(10, -5 + i / 10.0);
@@ -271,9 +265,7 @@ TEST_CASE(the_end_of_curves)
     struct model_task task = task_of(&parts[0], loads, FINE);
     struct contact_point points[FINE + 1], own_points[2][FINE + 1];
     struct model_curve curve = {.points = points}, own[2];
-    struct ensemble_result result = {.band = ensemble_band_make(loads, FINE)};
-    assert_non_null(result.band);
-    expect_ok(ensemble_curve, &curve, &result, &set, model, &task);
+    const struct ensemble_result result = run_set(&curve, &set, model, &task);
     for (int p = 0; p < 2; p++) {
         struct asperities asperities;
         struct model_task alone = member_task(&asperities, &parts[p], &task);
@@ -291,7 +283,6 @@ TEST_CASE(the_end_of_curves)
                     sqrt(own_points[0][i].value[QUANTITY_AREA] * own_points[1][i].value[QUANTITY_AREA]), 1e-12);
     }
     assert_true(isnan(result.band[curve.count].mean[QUANTITY_AREA][0]));
-    free(result.band);
 }
 
 static double uniform(uint64_t *seed)
@@ -311,7 +302,7 @@ static size_t assert_about(const double end[2], double value, double most)
     return 1;
 }
 
-/** Random surfaces of 2 to 5 scans, or of a map's rows, as unlike each other as scans never are, up to full contact. */
+/** Random surfaces of 2 to 5 scans, or rows of a map, that differ more than real scans do, up to full contact. */
 TEST_CASE(intervals_of_random_records)
 {
     enum { PARTS = 5, HARMONICS = 6, SETS = 60, MODELS = 5 };
@@ -324,14 +315,12 @@ TEST_CASE(intervals_of_random_records)
         const struct model_row *model = model_rows[model_named(names[run % MODELS])];
         size_t count = 2 + (size_t)(4 * uniform(&seed)), scan[PARTS];
         bool rows = uniform(&seed) < 0.25;
-        double amplitude_m[PARTS][HARMONICS], scale = pow(10, -7 + 2 * uniform(&seed));
-        struct member parts[PARTS];
-        struct ensemble_scan scans[PARTS];
+        double amplitude_m[PARTS][HARMONICS], weight[PARTS], scale = pow(10, -7 + 2 * uniform(&seed));
         for (size_t p = 0; p < count; p++) {
             scan[p] = rows ? 0 : p;
-            scans[p] = (struct ensemble_scan){.weight = 1 + floor(3 * uniform(&seed))};
+            weight[p] = 1 + floor(3 * uniform(&seed));
         }
-        struct ensemble set = set_of(parts, scan, count, scans, rows ? 1 : count);
+        struct ensemble set = set_of(count, scan, weight);
         for (size_t p = 0; p < count; p++) {
             double own = scale * exp(uniform(&seed));
             for (int n = 0; n < HARMONICS; n++)
@@ -343,9 +332,7 @@ TEST_CASE(intervals_of_random_records)
         struct model_task task = task_of(&parts[0], loads, LOADS);
         struct contact_point points[LOADS + 1];
         struct model_curve curve = {.points = points};
-        struct ensemble_result result = {.band = ensemble_band_make(loads, LOADS)};
-        assert_non_null(result.band);
-        expect_ok(ensemble_curve, &curve, &result, &set, model, &task);
+        const struct ensemble_result result = run_set(&curve, &set, model, &task);
         for (size_t i = 0; i < curve.count && i < LOADS && points[i].value[QUANTITY_LOAD] == loads[i]; i++)
             for (int q = QUANTITY_AREA; q <= QUANTITY_ECR; q++) {
                 double value = quantity_shown(&points[i], model_shown(model, (enum quantity)q), set.sigma_m);
@@ -360,7 +347,6 @@ TEST_CASE(intervals_of_random_records)
                     unknown++;
                 }
             }
-        free(result.band);
     }
     assert_true(known[QUANTITY_AREA] > 200 && known[QUANTITY_SEPARATION] > 200 && known[QUANTITY_ECR] > 200);
     assert_true(unknown > 100);

@@ -14,10 +14,9 @@ static struct ensemble own_set = {.members = own_members}, their_set = {.members
 static struct strips strips_of(const double *height_m, size_t rows, size_t points, double spacing_m, bool periodic)
 {
     struct strips strips = {.height_m = malloc(rows * points * sizeof(double))};
-    assert_non_null(strips.height_m);
-    memcpy(strips.height_m, height_m, rows * points * sizeof(double));
     strips.seed = calloc(rows, sizeof *strips.seed);
-    assert_non_null(strips.seed);
+    assert_true(strips.height_m && strips.seed);
+    memcpy(strips.height_m, height_m, rows * points * sizeof(double));
     for (size_t r = 0; r < rows; r++)
         strips.seed[r] = (uint64_t)r << 32;
     strips.rows = (struct strip_rows){strips.height_m, rows, points, spacing_m, periodic, strips.seed, 0};

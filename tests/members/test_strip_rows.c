@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The strips of a surface: which rows, at what cost, and what its curve is made of them. */
+/* The strips of a surface: which rows they take, what they cost, and the curve from them. */
 #include "members/repeats.h"
 #include "members/scan_strips.h"
 #include "plan/effects.h"
@@ -56,7 +56,7 @@ static void assert_row(size_t row, size_t member)
                         strips.rows.points * sizeof(double));
 }
 
-/* One scan; several; pieces of them; none of which close where one does not. */
+/* One scan; several; pieces. If one is not periodic, none is treated as periodic. */
 FREED(rows_of_scans)
 {
     struct scene scene = {.level = LEVEL_MEAN, .level_given = true};
@@ -76,7 +76,7 @@ FREED(rows_of_scans)
     }
 }
 
-/* Of a map as many, evenly spaced, of those that lack no point. */
+/* Of a map evenly spaced rows among those without missing points. */
 FREED(rows_of_a_map)
 {
     for (size_t r = 0; r < 72; r++) {
@@ -97,7 +97,7 @@ FREED(rows_of_a_map)
         assert_row(r, (2 * r + 1) * 71 / 48 + 1);
 }
 
-/* No strips of scans that cannot be joined, or of which no heights are there. */
+/* No strips of scans that cannot be joined, or whose heights are not there. */
 FREED(no_rows)
 {
     for (int how = 0; how < 3; how++) {
@@ -114,8 +114,8 @@ FREED(no_rows)
     }
 }
 
-/* Whole scans where all of them are 24 of 65 536 points together at most; else pieces of these, evenly spread over the
- * scans and along them, as level as their scan is. What solving takes does not grow with the scans. */
+/* Scans are taken whole if they are at most 24 with 65 536 points together; else pieces, evenly spread over the scans
+ * and along them. The cost does not grow with the scans. */
 FREED(pieces)
 {
     static const struct {
@@ -164,7 +164,7 @@ FREED(pieces)
     }
 }
 
-/** Of whole scans with open ends so many points that their transforms are quick; of those that close, all. */
+/** Open scans lose a few points so that their transforms are fast; periodic ones keep all. */
 FREED(quick_lengths)
 {
     static const struct {
@@ -194,7 +194,7 @@ static enum status_code solve(const struct threads *threads)
     return rc;
 }
 
-/* All rows, and of scans each alone; what touches nowhere has none; nothing when stopped. */
+/* All rows joined, and each scan alone; a flat surface has no solution; nothing is solved when stopped. */
 FREED(solved)
 {
     atomic_bool stop = true;
@@ -235,7 +235,7 @@ FREED(solved)
     expect_parts(strips.problem.message, "is flat"); /* the note's reason */
 }
 
-/* With a hardness every scan speaks by its own heights in order; one that was not solved alone says nothing. */
+/* With a hardness every scan uses its own bearing curve; scans not solved alone have no answer. */
 FREED(scans_alone)
 {
     static const double load = 1e-3;
@@ -279,14 +279,14 @@ FREED(scans_alone)
     }
 }
 
-/* Scans of few of their longest waves, with open ends, know less. */
+/* The model's error grows for open scans with few of their longest waves. */
 static double sd_of(double model_sd, double waves)
 {
     return hypot(model_sd, 1.3 * log(2.5 / waves));
 }
 
-/* Of scans the geometric mean of their curves and of the joined rows'; of a map the latter alone. Its error and the
- * scatter add as variances; no area's end lies above 1. */
+/* Scans: the geometric mean of their curves and that of the joined rows; a map: the latter alone. The model's error and
+ * the scatter add as variances; no end of an area exceeds 1. */
 FREED(a_curve_from_strips)
 {
     static const double loads[LOADS] = {1e-5, 1e-4, 1e-3, 2e-3, 4e-3};
@@ -320,8 +320,7 @@ FREED(a_curve_from_strips)
     assert_true(waves > 1 && waves < 2.5 && strips.rows.periodic);
     strips.rows.periodic = false; /* of these, strips are solved above */
     for (int map = 0; map < 2; map++) {
-        struct ensemble_result result = {.band = ensemble_band_make(loads, LOADS)};
-        assert_non_null(result.band);
+        struct ensemble_result result = {.band = test_owns(ensemble_band_make(loads, LOADS), free)};
         set.scan_count = map ? 1 : 3;
         curve = (struct model_curve){.points = points};
         expect_ok(ensemble_curve, &curve, &result, &set, model, &task);
@@ -357,12 +356,11 @@ FREED(a_curve_from_strips)
                     assert_near(result.estimates[q].model_sd, sd_of(model_sd(model, quantities[k], false), waves),
                                 1e-15);
             }
-        free(result.band);
     }
     assert_true(cut_off > 0);
 }
 
-/* Strips run where a surface has them; else the corrected theory leads, and the account says why. */
+/* Strips run if a surface has them; else the corrected theory leads, with the reason. */
 TEST_CASE(strips_are_left_out)
 {
     static const struct {

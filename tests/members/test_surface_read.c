@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* From scans to one surface: averages, scans kept to run alone, their laws, the counterface. */
+/* From scans to a surface: averages, members, their laws, the counterface. */
 #include "directory.h"
 #include "members/ensemble.h"
 #include "members/surface_read.h"
@@ -30,11 +30,17 @@ static int make(void **state)
     return 0;
 }
 
+static void start_anew(void)
+{
+    surface_record_free(record);
+    power_law_scans_free(&scans);
+    *record = (struct surface_record){0};
+}
+
 static int end(void **state)
 {
     (void)state;
-    surface_record_free(record);
-    power_law_scans_free(&scans);
+    start_anew();
     directory_remove(&place);
     return 0;
 }
@@ -66,7 +72,7 @@ static void gather(char *name)
     struct hash hash = hash_start();
     if (strcmp(name, map_name) == 0)
         snprintf(surface.x_unit, sizeof surface.x_unit, "m"), snprintf(surface.z_unit, sizeof surface.z_unit, "m");
-    struct copies apart = {0}; /* scans that are alike may be told twice here */
+    struct copies apart = {0}; /* equal scans are no copies here */
     const struct surface_scans task = {record, &scans, &scene, &apart};
     record->summary.scene = &surface;
     expect_ok(surface_files_read_one, &task, name, &hash);
@@ -116,8 +122,6 @@ static bool has_note(const char *words)
     return strstr(all_notes(), words) != NULL;
 }
 
-/* ---------------------------------------------------------------- averages */
-
 #define PLACED(name) TEST_WITH(name, make, end)
 
 /* Powers and moments are averaged; the first scan stands for the rest. */
@@ -135,8 +139,6 @@ PLACED(test_the_mean_of_scans)
     assert_near(record->spectrum.amplitude_m[2], 1e-6 * sqrt(square), 2e-2); /* the step leaks a little */
     assert_near(s->roughness.m2, m2 * square, 2e-2);
 }
-
-/* ---------------------------------------------------------------- scans kept to run alone */
 
 /* Every one of the profiles, in their order and with its heights. */
 PLACED(test_which_scans_are_kept)
@@ -181,14 +183,12 @@ static void add_map(size_t rows)
     gather(map_name);
 }
 
-/* All rows of a map of up to 24; of more as many, evenly spaced, of which nothing is said apart. */
+/* Up to 24 rows of a map are all members; of more, 24 evenly spaced ones. Rows have no interval. */
 PLACED(test_which_rows_are_kept)
 {
     static const size_t rows[] = {5, 24, 25, 47, 200};
     for (int m = 0; m < 5; m++) {
-        surface_record_free(record);
-        power_law_scans_free(&scans);
-        *record = (struct surface_record){0};
+        start_anew();
         add_map(rows[m]);
         conclude();
         size_t kept = rows[m] < STRIPS_PIECES ? rows[m] : STRIPS_PIECES;
@@ -205,17 +205,15 @@ PLACED(test_which_rows_are_kept)
     }
 }
 
-/* It is the surface itself; its heights are kept where records like it are asked for and can be simulated: not of
- * 15 points. The same whether its multitaper spectrum is there, for the law, or not. */
+/* A single scan has no members. Its heights are kept if records like it are wanted and can be simulated, which 15
+ * points do not allow; with `fit: auto` as with `fit: thesis`. */
 PLACED(test_one_scan_is_no_repeat)
 {
     for (int tried = 0; tried < 8; tried++) {
         bool listed = tried & 1, brief = tried & 2, kept = listed && !brief;
         scene.effects = listed ? EFFECT_BIT(EFFECT_UNCERTAINTY) : 0;
         scene.fit = tried & 4 ? POWER_LAW_AUTO : POWER_LAW_THESIS;
-        surface_record_free(record);
-        *record = (struct surface_record){0};
-        power_law_scans_free(&scans);
+        start_anew();
         add_long_scan(brief ? SIMULATED_RECORD_LEAST_POINTS - 1 : POINTS, 1e-6, 0, 1);
         assert_int_equal(scans.scan_count, scene.fit == POWER_LAW_AUTO);
         conclude();
@@ -237,7 +235,8 @@ PLACED(test_scans_that_differ_are_not_one)
     assert_near(scans.independent, 3, 0);
 }
 
-/* Scans of another length come to the grid of the mean: the shorter record, the lower Nyquist frequency. */
+/* Scans of another length are interpolated to the wavelengths of the mean: the shorter record, the lower Nyquist
+ * frequency. */
 PLACED(test_scans_of_another_length)
 {
     add_scan(1e-6, 0, 1);
@@ -255,8 +254,8 @@ PLACED(test_scans_of_another_length)
     assert_int_equal(record->spectrum.count, 25); /* 0.4/um over 64 um, less the band beyond Nyquist's */
 }
 
-/* Longer scans are cut to pieces of the shortest, spread from end to end; a scan weighs as many as it holds. Pieces of
- * a scan that closes do so where they hold whole waves, and are windowed where not. */
+/* Longer scans are cut to pieces as long as the shortest, spread from end to end; a scan weighs by its pieces. Pieces
+ * of a periodic scan are periodic if they hold whole waves; else they get a window. */
 PLACED(test_scans_are_cut_to_the_shortest)
 {
     static const size_t points[] = {2 * POINTS, POINTS, 2 * POINTS + POINTS / 2}, of[] = {0, 0, 1, 2, 2};
@@ -294,12 +293,10 @@ PLACED(test_scans_are_cut_to_the_shortest)
     assert_near(record->summary.repeats.rq_m.degrees, 2, 0);
 }
 
-/* ---------------------------------------------------------------- each scan's law */
-
 enum { LAWS = 3, LAW_POINTS = 1024 };
 static const double made_gamma[LAWS] = {1.2, 1.35, 1.5};
 
-/** A law without scatter of its own at random phases. */
+/** A law without scatter, at random phases. */
 static void make_law(double *height_m, int which, size_t points)
 {
     struct synth_def def = synth_def_default();
@@ -324,8 +321,7 @@ static void describe_laws(const size_t points[LAWS], const int order[LAWS])
         write_scan(names[i], height_m, points[i], 1);
         files[i] = names[order[i]];
     }
-    surface_record_free(record);
-    *record = (struct surface_record){0};
+    start_anew();
     expect_ok(surface_read, record, &scene, &surface, NULL);
     assert_true(record->summary.usable);
     record->summary.scene = NULL;
@@ -390,7 +386,8 @@ PLACED(test_each_scans_law_in_the_band_found)
     assert_near(record->summary.independent, LAWS, 0);
 }
 
-/** Noise ends the band at a knee: what that may shift the law by widens its interval, as no scans more would lessen it.
+/** Noise ends the band at a knee. The bias that this may give the law widens its interval, however many scans there
+ * are.
  */
 PLACED(test_a_knee_widens_the_laws_interval)
 {
@@ -418,7 +415,7 @@ PLACED(test_a_knee_widens_the_laws_interval)
     assert_true(estimate_end(gamma, 1) - gamma->mean > 1.96 * hypot(gamma->s, gamma->model_sd));
 }
 
-/* A scan twice as long has one law, of the whole, and two pieces: it weighs twice. */
+/* A scan twice as long has one law and two pieces: it weighs twice. */
 PLACED(test_the_law_of_a_longer_scan)
 {
     static const size_t points[LAWS] = {LAW_POINTS, 2 * LAW_POINTS, LAW_POINTS};
@@ -432,7 +429,7 @@ PLACED(test_the_law_of_a_longer_scan)
     assert_estimate(&record->summary.repeats.psd_m3, log_psd, weight, 1e-5);
 }
 
-/* What comes out does not depend on the order in which the files are listed, to the last bit. */
+/* The order in which files are listed changes no bit of the results. */
 PLACED(test_the_order_of_the_files)
 {
     static const size_t points[LAWS] = {LAW_POINTS, 2 * LAW_POINTS, LAW_POINTS};
@@ -457,9 +454,7 @@ PLACED(test_the_order_of_the_files)
     }
 }
 
-/* ---------------------------------------------------------------- counterface */
-
-/* Powers and moments of both bodies add, also of the scans run alone. */
+/* Powers and moments of both bodies add, also for the members. */
 PLACED(test_a_rough_counterface)
 {
     for (int p = 0; p < 3; p++)

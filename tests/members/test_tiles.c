@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Maps solved directly and carried to any load, against solutions at those loads; squares of larger maps; two of them.
- */
+/* Maps solved directly and interpolated to any load, against solutions at those loads; squares of larger maps; two maps
+ * pressed together. */
 #include "members/tiles.h"
 
 #include "direct/direct_ladder.h"
@@ -22,7 +22,7 @@ static double long_waves(double r, const void *context)
     return r > 48 ? 0 : pow(r, -3.4);
 }
 
-/** What the heights of a Gaussian surface become. */
+/** How the heights of a Gaussian surface are changed. */
 static double as_they_are(double z)
 {
     return z;
@@ -167,8 +167,8 @@ static void solve_part(double out[3], const struct direct_map *map, enum direct_
     direct_map_free(&taken);
 }
 
-/** An error is what every second point changes, what a wider low-pass changes of a map that has had one, and the
- * scatter of its quarters. */
+/** The error combines the change by taking every second point, the change by a wider low-pass if the map has had one,
+ * and the scatter of its quarters. */
 TEST_CASE(errors_are_of_all_that_tells_them)
 {
     for (int filtered = 0; filtered < 2; filtered++) {
@@ -248,7 +248,7 @@ static void ask(double value[MAPS][SHARES][ASKED], double s[MAPS][SHARES][ASKED]
     }
 }
 
-/** Of ten maps of one kind each one's 95 % (four degrees of freedom) holds the mean of all. */
+/** Of ten maps of one surface, the 95 % intervals (four degrees of freedom) contain the mean of all. */
 TEST_CASE(errors_hold_the_surface)
 {
     static const double t = 2.776;
@@ -266,7 +266,7 @@ TEST_CASE(errors_hold_the_surface)
     assert_true(held >= 0.9 * MAPS * SHARES * ASKED);
 }
 
-/** Maps shorter than the surface's waves scatter no more than their errors say, so that none is told from another. */
+/** Maps shorter than the surface's waves scatter no more than their stated errors. */
 TEST_CASE(errors_know_waves_longer_than_the_map)
 {
     double value[MAPS][SHARES][ASKED], s[MAPS][SHARES][ASKED];
@@ -285,7 +285,8 @@ TEST_CASE(errors_know_waves_longer_than_the_map)
         }
 }
 
-/** A long map is squares, each with its own plane, of which a smaller budget solves fewer; their scatter is its error.
+/** A long map is divided into squares, each levelled; a smaller budget solves fewer of them; their scatter is the
+ * error.
  */
 TEST_CASE(squares_of_a_larger_map)
 {
@@ -317,7 +318,7 @@ TEST_CASE(squares_of_a_larger_map)
     tiles_free(&tiles);
 }
 
-/** What is no square grid, or too small, is left to the rows; one that cannot be solved says why. */
+/** A map with unequal spacings, or too small, is left as it is; one that cannot be solved says why. */
 TEST_CASE(other_maps)
 {
     double height[40 * 40] = {0};
@@ -341,7 +342,8 @@ TEST_CASE(other_maps)
     tiles_free(&flat);
 }
 
-/** Heights of two maps of one spacing add, from some place of the other on; of others there is no direct solution. */
+/** Heights of two maps of one spacing add, from some place of the other on; with another spacing there is no direct
+ * solution. */
 TEST_CASE(two_maps)
 {
     struct tiles own = map_of(SIDE, SIDE, 1, as_they_are), other = map_of(40, 48, 2, worn),

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What accuracy costs: each model at its tolerances. Times are never tested. */
+/* The cost of accuracy: each model at its tolerances. Times are not tested. */
 #include "answers/curves.h"
 #include "contact/multiscale.h"
 #include "plan/benchmark.h"
@@ -77,8 +77,8 @@ TEST_CASE(many_loads)
         assert_int_equal(costs[0].rows[i].evaluations, costs[1].rows[i].evaluations);
 }
 
-/* A model's rows follow each other, from the coarsest tolerance to the finest: that is what the others are held
- * against, and a tolerance holds what it promises. */
+/* A model's rows are adjacent, from the coarsest tolerance to the finest, with which the others are compared; errors
+ * stay within ten times the tolerance. */
 TEST_CASE(test_tolerances_hold)
 {
     static const double tolerance[BENCHMARK_STEPS] = {1e-2, 1e-6, 1e-10, 1e-13};
@@ -102,7 +102,7 @@ TEST_CASE(test_tolerances_hold)
     assert_true(coarsest > 1e-12);
 }
 
-/* The waves that every tolerance is summed over, of a scan so long that fewer show it too. */
+/* Of a very long scan only part of the harmonics is timed. */
 TEST_CASE(test_a_long_scan)
 {
     enum { WAVES = 150000 };
@@ -128,7 +128,7 @@ TEST_CASE(test_a_long_scan)
     assert_int_equal(evaluations[0], evaluations[1]);
 }
 
-/* The area by the law in place of the harmonics of its band, and of no others, over that by the scan's. */
+/* Ratio of the area with the law in place of the harmonics of its band, and of no others, to that of the scan. */
 TEST_CASE(test_the_law_in_place_of_the_data)
 {
     const struct curve_summary *model = record->summary.models[model_named("multiscale-elastic")];

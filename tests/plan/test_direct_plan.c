@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What is decided before a direct solution runs: the matched law, loads, hardness, and the budget's order. */
+/* The plan of a direct solution: the matched law, loads, hardness, and choices within a budget. */
 #include "plan/direct_plan.h"
 #include "support.h"
 
@@ -120,8 +120,8 @@ TEST_CASE(a_budget_buys_in_order)
     assert_int_equal(plan.fine_times, 2);
 }
 
-/* A hardness has four surfaces to tell their scatter, unless the scene asks for fewer, and costs time; so does
- * making surfaces with a scan's heights. */
+/* A hardness is solved on four surfaces, unless the scene asks for fewer, and costs time; so does making surfaces with
+ * a scan's heights. */
 TEST_CASE(time_is_counted)
 {
     struct direct_plan elastic, capped, heights;
@@ -140,7 +140,7 @@ TEST_CASE(time_is_counted)
     assert_int_equal(capped.fewer, 1);
 }
 
-/* Where nothing says how short the waves are, four spacings of the scan stand for it, unless the grid has to. */
+/* Without a known cut-off it is four spacings of the scan, unless the grid is coarser. */
 TEST_CASE(four_spacings_are_said)
 {
     struct direct_plan plan;

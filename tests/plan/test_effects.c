@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* How two numbers of a surface decide on effects. */
+/* How two bounds on a surface decide on effects. */
 #include "contact/corrected_persson.h"
 #include "plan/effects.h"
 #include "support.h"
@@ -94,7 +94,7 @@ PLACED(test_scale_dependence_is_the_elastic_models_own)
     assert_true(record.summary.pressure_over_hardness == 0);
 }
 
-/** Of scans that close on themselves no line is taken unless asked for; what a filter took it was to take. */
+/** No line is removed from periodic scans unless asked for; a filter with lambda_c counts as no levelling. */
 PLACED(test_levelled)
 {
     static const struct {
@@ -123,7 +123,7 @@ static void decide(double pressure, double raise)
     effects_decide(&plan, &scene, &record, 1);
 }
 
-/* Sweeps of made-up surfaces are never unasked: by the key, or where they are listed. */
+/* The convergence study runs only if its key is given or the effect is listed. */
 PLACED(test_convergence_is_asked_for)
 {
     struct plan made;
@@ -161,7 +161,7 @@ PLACED(test_decisions)
     assert_string_equal(plan.effects[EFFECT_SCALE_DEPENDENT].reason,
                         "(8/3π) λmfp/a raises TCR by up to 9.9e-05, below the tolerance");
     assert_false(plan.wanted & QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT));
-    decide(1e-3, 0); /* r^4/4, of which 1 + r^4 would leave nothing */
+    decide(1e-3, 0); /* r^4/4, which would be lost in 1 + r^4 */
     assert_non_null(strstr(plan.effects[EFFECT_PLASTICITY].reason, ": 2e-13 of the area"));
     decide(INFINITY, INFINITY); /* beyond what can be computed with: no number is written so */
     assert_string_equal(plan.effects[EFFECT_PLASTICITY].reason, "spots might bear up to 1.8e+308 times the hardness");
@@ -171,7 +171,7 @@ PLACED(test_decisions)
     assert_true(plan_runs(&plan, EFFECT_PLASTICITY) && plan_runs(&plan, EFFECT_SCALE_DEPENDENT));
 }
 
-/* One that is all yield runs where it is named, else where another calls for it. */
+/* A plastic model without elastic partner runs if named, else only if another model needs plasticity. */
 PLACED(test_models_without_an_elastic_partner)
 {
     plan.models |= MODEL_BIT(model_named("cmy"));
@@ -182,8 +182,8 @@ PLACED(test_models_without_an_elastic_partner)
     assert_true(plan_runs(&plan, EFFECT_PLASTICITY));
 }
 
-/** The direct solution of maps leads where all surfaces have it, stands aside where some have, and runs nowhere where
- * it is too much for one of them or none has a map. */
+/** The direct solution of maps leads if all surfaces have one, stands aside if some have, and does not run if it is too
+ * expensive for one of them or none has a map. */
 PLACED(test_maps_lead_where_all_are)
 {
     static const struct {

@@ -50,47 +50,75 @@ static inline void pipeline_bowl(const struct directory *place, const char *name
     pipeline_scan(place, name, height_m, points);
 }
 
-/* Runs the scene in place/IN into place/OUT; what comes back is to be freed. */
-static inline enum status_code pipeline_try(struct run_outcome *outcome, const struct directory *place, const char *in,
-                                            struct run_options options, struct status *status)
+static inline void pipeline_end(void *outcome)
 {
-    const struct scene_overrides none = {0};
-    struct scene scene;
-    if (scene_read(&scene, filled("%s", directory_path(place, in)), &none, status) != STATUS_OK)
-        fail_msg("%s", status->message);
-    enum status_code rc = run_report(outcome, &scene, &options, status);
-    scene_free(&scene);
-    return rc;
+    run_outcome_free(outcome);
+    free(outcome);
 }
 
-/* The same into place/OUT, on one thread and without cost unless the options say otherwise. */
-static inline enum status_code pipeline_into(struct run_outcome *outcome, const struct directory *place, const char *in,
-                                             const char *out, struct run_options options, struct status *status)
+/* Runs the scene in place/IN; status->code says how it ended. What comes back is the test's. */
+static inline struct run_outcome *pipeline_try(const struct directory *place, const char *in,
+                                               struct run_options options, struct status *status)
+{
+    struct run_outcome *outcome = test_owns(calloc(1, sizeof *outcome), pipeline_end);
+    struct scene scene;
+    expect_ok(scene_read, &scene, lasting("%s", directory_path(place, in)), &(struct scene_overrides){0});
+    (void)!run_report(outcome, &scene, &options, status);
+    scene_free(&scene);
+    return outcome;
+}
+
+/* The same into place/OUT, on one thread unless the options say otherwise, and without cost. */
+static inline struct run_outcome *pipeline_into(const struct directory *place, const char *in, const char *out,
+                                                struct run_options options, struct status *status)
 {
     options.output = filled("%s", directory_path(place, out));
     options.templates = options.templates ? options.templates : PROJECT_SOURCE "/templates";
     options.no_cost = true;
     options.jobs = options.jobs ? options.jobs : 1;
-    return pipeline_try(outcome, place, in, options, status);
+    return pipeline_try(place, in, options, status);
 }
 
 /* The same of a run that has to succeed. */
-static inline void pipeline_outcome(struct run_outcome *outcome, const struct directory *place, const char *in,
-                                    const char *out, unsigned jobs)
+static inline struct run_outcome *pipeline_outcome(const struct directory *place, const char *in, const char *out,
+                                                   struct run_options options)
 {
     struct status status = {0};
-    if (pipeline_into(outcome, place, in, out, (struct run_options){.jobs = jobs}, &status) != STATUS_OK)
+    struct run_outcome *outcome = pipeline_into(place, in, out, options, &status);
+    if (status.code != STATUS_OK)
         fail_msg("%s\n%s", status.message, text_string(&outcome->messages));
+    return outcome;
 }
 
 /* Returns how many surfaces were refused. */
 static inline size_t pipeline_run(const struct directory *place, const char *in, const char *out, unsigned jobs)
 {
-    struct run_outcome outcome;
-    pipeline_outcome(&outcome, place, in, out, jobs);
-    size_t refused = outcome.refused;
-    run_outcome_free(&outcome);
-    return refused;
+    return pipeline_outcome(place, in, out, (struct run_options){.jobs = jobs})->refused;
+}
+
+/* The report, in place/OUT, of this scene on the files in place/IN, none of which is refused. */
+static inline void pipeline_report(const struct directory *place, const char *in, const char *out, const char *scene)
+{
+    directory_write(place, filled("%s/scene.yaml", in), scene);
+    assert_int_equal(pipeline_run(place, in, out, 1), 0);
+}
+
+/* A number in place/OUT/results.json, at a path such as "surfaces/0/rq_m"; NaN: none is there. */
+static inline double pipeline_number(const struct directory *place, const char *out, const char *path)
+{
+    return json_number_at(directory_json(place, filled("%s/results.json", out)), path);
+}
+
+/* The first row of a surface (NULL: of any) by a model at a load (NaN: at any); fails the test when there is none. */
+static inline size_t pipeline_row(const struct table *table, const char *surface, const char *model, double load)
+{
+    for (size_t row = 0; row < table->rows; row++)
+        if ((!surface || strcmp(table_text(table, row, "surface"), surface) == 0) &&
+            strcmp(table_text(table, row, "model"), model) == 0 &&
+            !(fabs(table_number(table, row, "load_over_AnEp") / load - 1) > 1e-9))
+            return row;
+    fail_msg("no row of %s, %s at %g", surface ? surface : "any", model, load);
+    return 0;
 }
 
 #endif

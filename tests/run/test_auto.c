@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* `effects: auto` leaves out an effect only where no number of the report would move by more than the tolerance, also
- * those beyond the scene's loads, and does not run scale dependence for less. */
+/* `effects: auto` leaves out an effect only if it would change no number of the report by more than the tolerance, also
+ * beyond the scene's loads; and it runs scale dependence only if it changes more than that. */
 #include "contact/convergence.h"
 #include "members/surface_read.h"
 #include "pipeline.h"
 #include "run/all_surfaces.h"
 
-/** What the whole set of effects says of a scene's surfaces, at a finer tolerance. */
+/** What all effects change on a scene's surfaces, at a finer tolerance. */
 struct truth {
     double plastic;         /* largest relative change by plasticity, up to full contact (separations: over sigma) */
     double scale_dependent; /* largest TCR_sd/TCR - 1 of the models that run */
@@ -104,8 +104,8 @@ static void write_surface(const char *name, double gamma, double size, unsigned 
     pipeline_synth(&directory_here, name, &def);
 }
 
-/** Loads far below yield, from soft metals to what yields nowhere: the elastic models' full contact stands only where
- * the elastic-plastic ones would give the same. */
+/** Loads far below yield, from soft metals to ones that yield nowhere: plasticity is skipped only where the
+ * elastic-plastic models give the same full contact as the elastic ones. */
 TEST_CASE(full_contact_is_never_extrapolated_elastically)
 {
     static const double yield_Pa[] = {1e9, 1e10, 3e10, 1e11, 1.4e11, 2e11, 5e11, 9e11};
@@ -130,7 +130,7 @@ TEST_CASE(full_contact_is_never_extrapolated_elastically)
     assert_true(skipped >= 5 && runs >= 5);
 }
 
-/** The same of the fitted law below the sampling limit: where gamma < 1 its slopes go on rising. */
+/** The law extrapolated below the sampling limit counts too: with gamma < 1 its slopes go on rising. */
 TEST_CASE(law_below_the_sampling_limit_counts)
 {
     char text[800];
@@ -157,7 +157,7 @@ TEST_CASE(law_below_the_sampling_limit_counts)
     scene_free(&scene);
 }
 
-/** Mean free paths that put the change below, at and above the tolerance: by what it is at the ends of the loads. */
+/** Mean free paths for which the change, at the first and last load, is below, at and above the tolerance. */
 TEST_CASE(scale_dependence_runs_just_where_it_matters)
 {
     static const char *const families[] = {"multiscale", "statistical"};

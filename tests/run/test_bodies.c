@@ -12,7 +12,7 @@ static void write_scans(const struct directory *place)
 
 #define LOADS "nominal_area: 1 mm2\nload: {from: 0.1 N, to: 100 N, points: 7}\noperating_load: 12 N\n"
 
-/* Surfaces of three pairs of bodies under the same forces are what each is in a report of its own, digit by digit. */
+/* Three surfaces with different bodies in one report have the same digits as each in a report of its own. */
 TEST_IN_DIRECTORY(each_surface_has_its_own_bodies)
 {
     static const char *const own[] = {"material: tin\n", "material: copper\ncounterface: same\n",
@@ -31,9 +31,8 @@ TEST_IN_DIRECTORY(each_surface_has_its_own_bodies)
     struct table all = directory_table(place, "all/data/contact.csv");
     size_t compared = 0;
     for (int s = 0; s < 3; s++) {
-        directory_write(place, "in/scene.yaml",
+        pipeline_report(place, "in", "alone",
                         filled(LOADS "%ssurfaces: [{name: %s, file: %s.csv}]\n", own[s], names[s], names[s]));
-        assert_int_equal(pipeline_run(place, "in", "alone", 1), 0);
         struct table alone = directory_table(place, "alone/data/contact.csv");
         size_t row = 0;
         for (size_t r = 0; r < alone.rows; r++, row++, compared++) {
@@ -46,7 +45,7 @@ TEST_IN_DIRECTORY(each_surface_has_its_own_bodies)
     assert_int_equal(compared, all.rows);
 }
 
-/* What a surface does not say itself is the scene's. */
+/* What a surface does not give is taken from the scene. */
 TEST_IN_DIRECTORY(bodies_are_completed)
 {
     const struct material *tin = material_find("tin"), *copper = material_find("copper");
@@ -72,7 +71,7 @@ TEST_IN_DIRECTORY(bodies_are_completed)
     scene_free(&scene);
 }
 
-/* The metal that softens first is that of the body that yields first; a rigid one does not. */
+/* The softer body is the one that yields first; a rigid one never does. */
 TEST_CASE(the_softer_body)
 {
     const struct scene_bodies hard = {.material = *material_find("copper"), .counterface = *material_find("tin")};
@@ -89,10 +88,9 @@ TEST_CASE(the_softer_body)
 TEST_IN_DIRECTORY(loads_are_shown_as_given)
 {
     write_scans(place);
-    directory_write(place, "in/scene.yaml",
+    pipeline_report(place, "in", "out",
                     LOADS "effects: [plasticity, electrical]\nmaterial: tin\nsurfaces:\n  - {name: a, file: a.csv}\n"
                           "  - {name: b, file: b.csv, material: copper}\n");
-    assert_int_equal(pipeline_run(place, "in", "out", 1), 0);
     struct table contact = directory_table(place, "out/data/contact.csv");
     size_t at_12 = 0;
     for (size_t r = 0; r < contact.rows; r++)
@@ -116,8 +114,7 @@ TEST_IN_DIRECTORY(loads_are_shown_as_given)
     }
 }
 
-/* An operating load in centinewtons, without loads: all charts stand over cN, and their data too; loads that the scene
- * gives as P/(A_n E') stay that. */
+/* An operating load in cN without `load`: charts and their data are over cN. Loads given as P/(A_n E') stay that. */
 TEST_IN_DIRECTORY(loads_are_shown_as_the_operating_load_is_given)
 {
     static const char scene[] = "effects: [plasticity, separation, electrical]\nmodels: [corrected-persson, cmy]\n"
@@ -125,8 +122,7 @@ TEST_IN_DIRECTORY(loads_are_shown_as_the_operating_load_is_given)
     static const char *const charts[] = {"answer", "area", "ecr", "separation-load"};
     pipeline_rough(place, "in/a.csv", 400, 1, 11);
     pipeline_rough(place, "in/b.csv", 400, 1, 12);
-    directory_write(place, "in/scene.yaml", scene);
-    assert_int_equal(pipeline_run(place, "in", "out", 1), 0);
+    pipeline_report(place, "in", "out", scene);
     expect_in_file(place, "out/report.md", "**At 200\u00a0cN the ");
     expect_in_file(place, "out/results.json", "\"operating_load_unit\": \"cN\"");
     for (size_t i = 0; i < sizeof charts / sizeof *charts; i++)
@@ -134,20 +130,17 @@ TEST_IN_DIRECTORY(loads_are_shown_as_the_operating_load_is_given)
     struct table contact = directory_table(place, "out/data/contact.csv");
     char *data = directory_read(place, "out/figures/area.csv");
     assert_near(strtod(strchr(data, '\n') + 1, NULL), 1e2 * 1e-6 * table_number(&contact, 0, "pressure_Pa"), 1e-9);
-    directory_write(place, "in/scene.yaml", filled("%sload: {from: 1e-5, to: 1e-2, points: 7}\n", scene));
-    assert_int_equal(pipeline_run(place, "in", "out", 1), 0);
+    pipeline_report(place, "in", "out", filled("%sload: {from: 1e-5, to: 1e-2, points: 7}\n", scene));
     expect_in_file(place, "out/figures/area.gp", "load P/(Aₙ E′)'");
 }
 
-/* What needs no material is what it is with any: loads are P/(A_n E'). */
+/* Without a material, area and separation at P/(A_n E') are those with any material. */
 TEST_IN_DIRECTORY(without_a_material)
 {
     static const char loads[] = "load: {from: 1e-5, to: 1e-2, points: 5}\n";
     pipeline_rough(place, "in/a.csv", 400, 1, 5);
-    directory_write(place, "in/scene.yaml", loads);
-    assert_int_equal(pipeline_run(place, "in", "none", 1), 0);
-    directory_write(place, "in/scene.yaml", filled("material: copper\neffects: [separation]\n%s", loads));
-    assert_int_equal(pipeline_run(place, "in", "some", 1), 0);
+    pipeline_report(place, "in", "none", loads);
+    pipeline_report(place, "in", "some", filled("material: copper\neffects: [separation]\n%s", loads));
     struct table none = directory_table(place, "none/data/contact.csv"),
                  some = directory_table(place, "some/data/contact.csv");
     size_t compared = 0;
@@ -164,8 +157,8 @@ TEST_IN_DIRECTORY(without_a_material)
         }
     }
     assert_true(compared >= 15);
-    directory_write(place, "in/scene.yaml", "material: {E: 100 GPa, nu: 0.3}\nload: {values: [1e-4]}\n");
-    assert_int_equal(pipeline_run(place, "in", "soft", 1), 0); /* one without yield strength */
+    pipeline_report(place, "in", "soft",
+                    "material: {E: 100 GPa, nu: 0.3}\nload: {values: [1e-4]}\n"); /* one without yield strength */
     expect_in_file(place, "soft/report.md", " against a rigid flat.\n", " | 110 | – |\n");
     expect_not_in_file(place, "soft/report.md", "hardness  MPa", ", hardness");
     expect_in_file(place, "none/report.md", "P/(Aₙ\u00a0E′)");
@@ -173,7 +166,7 @@ TEST_IN_DIRECTORY(without_a_material)
     expect_in_file(place, "none/results.json", "\"material\": null");
 }
 
-/* The thesis's length is one of phonons, and the report says so; the electrons' is far shorter in tin. */
+/* The thesis's mean free path is that of phonons, and the report says so; the electrons' is far shorter in tin. */
 TEST_IN_DIRECTORY(whose_mean_free_path)
 {
     static const char *const kinds[] = {"thesis", "electron"};
@@ -207,14 +200,13 @@ static const char *last_row(const char *at, double *x, double *y)
     return end + 3;
 }
 
-/* Under an axis in mm profiles stand in mm, and spectra, in the block behind, over µm. */
+/* The data of a chart are in the units of its axes: profiles in mm, and spectra, in the next block, in µm. */
 TEST_IN_DIRECTORY(charts_stand_over_the_unit_of_their_axis)
 {
     enum { POINTS = 400 };
     double x = 0, y = 0;
     pipeline_rough(place, "in/a.csv", POINTS, 1, 11);
-    directory_write(place, "in/scene.yaml", "models: [corrected-persson]\nlevel: none\n");
-    assert_int_equal(pipeline_run(place, "in", "out", 1), 0);
+    pipeline_report(place, "in", "out", "models: [corrected-persson]\nlevel: none\n");
     expect_in_file(place, "out/figures/surfaces.gp", "set xlabel 'position (mm)'", "set xlabel 'wavelength (µm)'");
     char *data = directory_read(place, "out/figures/surfaces.csv"), *scan = directory_read(place, "in/a.csv");
     const char *next = last_row(data, &x, &y);

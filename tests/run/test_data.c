@@ -1,25 +1,24 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What data/ holds of many surfaces, and that the number of threads that wrote it does not show. */
+/* The files in data/ for many surfaces; they do not depend on the number of threads. */
 #include "run/pipeline.h"
 
 enum { POINTS = 64, MANY = 101 };
 
 static void write_scene(const struct directory *place, const char *more)
 {
-    struct text *text = support_text();
-    text_add(text, "effects: [separation]\nmodels: [multiscale, gw]\nload: {from: 1e-5, to: 1e-3, points: 3}\n%s",
-             more);
-    directory_write(place, "in/scene.yaml", text_string(text));
+    directory_write(place, "in/scene.yaml",
+                    filled("effects: [separation]\nmodels: [multiscale, gw]\n"
+                           "load: {from: 1e-5, to: 1e-3, points: 3}\n%s",
+                           more));
 }
 
 static void make_surfaces(const struct directory *place, int count)
 {
-    for (int i = 0; i < count; i++) {
+    for (int i = 0; i < count; i++)
         pipeline_rough(place, filled("in/%03d.csv", i), POINTS, 1 + i / 50.0, (unsigned long)i + 1);
-    }
 }
 
-/* Bins keep each surface's mean square height, and there is one a tenth of a decade. */
+/* Spectra are binned by tenths of a decade, and bins keep each surface's mean square height. */
 TEST_IN_DIRECTORY(of_many_surfaces_bins)
 {
     make_surfaces(place, MANY);
@@ -62,16 +61,14 @@ TEST_IN_DIRECTORY(of_many_surfaces_bins)
     expect_not_in_file(place, "other/report.md", "bins of a tenth");
 }
 
-/* Lines that name a surface in what ends the run on a terminal, and whether it says that there are more. */
+/* Number of surfaces listed on the terminal, and whether it says that there are more. */
 static size_t lines_of_surfaces(const struct directory *place, bool *more)
 {
-    struct run_outcome outcome;
-    pipeline_outcome(&outcome, place, "in", "one", 2);
+    const struct run_outcome *outcome = pipeline_outcome(place, "in", "one", (struct run_options){.jobs = 2});
     size_t lines = 0;
-    for (const char *line = text_string(&outcome.table); (line = strchr(line, '\n')) != NULL && *++line;)
+    for (const char *line = text_string(&outcome->table); (line = strchr(line, '\n')) != NULL && *++line;)
         lines += line[0] >= '0' && line[0] <= '9';
-    *more = strstr(text_string(&outcome.table), "\n… 1 more in data/surfaces.csv\n") != NULL;
-    run_outcome_free(&outcome);
+    *more = strstr(text_string(&outcome->table), "\n… 1 more in data/surfaces.csv\n") != NULL;
     return lines;
 }
 
@@ -87,7 +84,7 @@ TEST_IN_DIRECTORY(the_terminal_shows_a_hundred)
     assert_true(more);
 }
 
-/* The JSON of many surfaces by several threads, and up to a hundred of them every harmonic. */
+/* Up to a hundred surfaces have every harmonic in data/; several threads write the same files. */
 TEST_IN_DIRECTORY(of_a_hundred_every_harmonic)
 {
     make_surfaces(place, MANY - 1);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The first page against the data of the same report, and the page by itself. */
+/* The first page, against the data of the same report. */
 #include "run/pipeline.h"
 
 #include <jansson.h>
@@ -8,7 +8,6 @@ static int place_setup(void **state)
 {
     static struct directory place;
     place = directory_make();
-    mkdir(directory_path(&place, "in"), 0777);
     pipeline_rough(&place, "in/a.csv", 160, 0.1, 1);
     pipeline_rough(&place, "in/b.csv", 160, 0.3, 2);
     directory_write(&place, "in/scene.yaml",
@@ -21,23 +20,20 @@ static int place_setup(void **state)
 
 static const char leading[] = "corrected-persson-plastic";
 
-/* Where the scene does not say it stands at the load next to the geometric middle of those at which A/A_n is 0.1 to
- * 10 % on the baseline, by the leading model; beyond the direct solutions their nearest is what it speaks of. */
+/* Without an operating load the page uses the load nearest to the geometric middle of those at which A/A_n is 0.1 to
+ * 10 % on the baseline, by the leading model. */
 TEST_IN_PLACE(test_where_the_page_stands)
 {
     static const char *const scenes[] = {"load: {from: 1e-7, to: 1e-2, points: 41}\n",
                                          "load: {from: 1e-7, to: 1e-2, points: 41}\nbaseline: c\n",
                                          "load: {values: [1e-9, 2e-9, 3e-9]}\n"};
     double stands[3];
-    mkdir(directory_path(place, "three"), 0777);
     pipeline_rough(place, "three/a.csv", 160, 0.3, 1);
     pipeline_rough(place, "three/b.csv", 160, 0.03, 2);
     pipeline_rough(place, "three/c.csv", 160, 1, 3);
     for (int k = 0; k < 3; k++) {
-        directory_write(place, "three/scene.yaml", filled("models: [corrected-persson]\n%s", scenes[k]));
-        assert_int_equal(pipeline_run(place, "three", "out", 1), 0);
-        const json_t *scene = json_object_get(directory_json(place, "out/results.json"), "scene");
-        stands[k] = json_number_value(json_object_get(scene, "operating_load_over_AnEp"));
+        pipeline_report(place, "three", "out", filled("models: [corrected-persson]\n%s", scenes[k]));
+        stands[k] = pipeline_number(place, "out", "scene/operating_load_over_AnEp");
         struct table contact = directory_table(place, "out/data/contact.csv");
         double first = NAN, last = NAN, nearest = INFINITY;
         for (int pass = 0; pass < 2; pass++)
@@ -53,24 +49,21 @@ TEST_IN_PLACE(test_where_the_page_stands)
                 double off = fabs(log(load / sqrt(first * last)));
                 nearest = pass == 1 && off < fabs(log(nearest / sqrt(first * last))) ? load : nearest;
             }
-        assert_near(stands[k], k == 2 ? 3e-9 : nearest, 1e-9); /* no area between: the one nearest to 1 % */
+        assert_near(stands[k], k == 2 ? 3e-9 : nearest, 1e-9); /* no such area: the load with the area nearest to 1 % */
     }
     assert_true(stands[1] > 1.5 * stands[0]);
 }
 
-/* Of more than eight surfaces the charts show eight: best, worst and baseline by name, the others as such. */
+/* Of more than eight surfaces the charts show eight: best, worst and baseline by name, the others as "others". */
 TEST_IN_PLACE(test_the_best_and_the_worst_are_shown)
 {
     char best[8] = "", worst[8] = "";
     double ecr[2] = {INFINITY, 0};
-    mkdir(directory_path(place, "many"), 0777);
-    for (unsigned long i = 0; i < 11; i++) {
+    for (unsigned long i = 0; i < 11; i++)
         pipeline_rough(place, filled("many/s%lu.csv", i), 120, 0.1 * (double)(1 + i * 7 % 11), i + 1);
-    }
-    directory_write(place, "many/scene.yaml",
+    pipeline_report(place, "many", "out",
                     "models: [corrected-persson]\nmaterial: tin\neffects: [plasticity, electrical]\nbaseline: s5\n"
                     "load: {values: [1e-4]}\n");
-    assert_int_equal(pipeline_run(place, "many", "out", 1), 0);
     struct table contact = directory_table(place, "out/data/contact.csv");
     for (size_t row = 0; row < contact.rows; row++) {
         double own = table_number(&contact, row, "ecr_ohm_m2");
@@ -102,21 +95,19 @@ static size_t count_figures(const struct directory *place, const char *folder)
     return count;
 }
 
-/** The first page of a scene on the two surfaces, and what stands on no other. */
+/** The first page of the report of a scene on two surfaces. */
 static char *page_of(const struct directory *place, const char *scene)
 {
-    mkdir(directory_path(place, "pressed"), 0777);
     pipeline_rough(place, "pressed/a.csv", 160, 3, 1);
     pipeline_rough(place, "pressed/b.csv", 160, 5, 2);
-    directory_write(place, "pressed/scene.yaml", scene);
-    assert_int_equal(pipeline_run(place, "pressed", "out", 1), 0);
+    pipeline_report(place, "pressed", "out", scene);
     char *page = directory_read(place, "out/report.md"), *rest = strstr(page, "\n---\n");
     assert_non_null(rest);
     *rest = '\0';
     return page;
 }
 
-/* Area is P/H, load and hardness alone, or it is not: whatever scatters in the last digits. */
+/* The page says when the area is P/H, that is load over hardness alone; it then has no interval. */
 TEST_IN_PLACE(test_area_that_is_load_over_hardness)
 {
 #define AREA_ALONE "effects: [plasticity, uncertainty]\nmodels: [strip]\n"
@@ -145,7 +136,7 @@ TEST_IN_PLACE(test_area_that_is_load_over_hardness)
         if (!rows[k].pressed)
             expect_no_parts(text, "load over hardness");
         if (rows[k].pressed) {
-            struct table spread = table_read_path(directory_path(place, "out/data/spread.csv"));
+            struct table spread = directory_table(place, "out/data/spread.csv");
             size_t found = 0;
             for (size_t row = 0; row < spread.rows; row++)
                 if (strcmp(table_text(&spread, row, "quantity"), "area_ratio_at_middle_load_strip-plastic") == 0) {
@@ -159,8 +150,8 @@ TEST_IN_PLACE(test_area_that_is_load_over_hardness)
     }
 }
 
-/** What rises from the smoothest surface to the roughest is said of surfaces that differ in roughness; of scans of one
- * surface, whose Rq differs by chance, in none of these eight. */
+/** "Models differ on roughness" is said only of surfaces that differ in roughness, not of eight sets of equally rough
+ * ones, whose Rq differs by chance. */
 TEST_IN_PLACE(test_order_by_roughness)
 {
     directory_write(place, "same/scene.yaml",
@@ -176,17 +167,11 @@ TEST_IN_PLACE(test_order_by_roughness)
     }
 }
 
-/* Brief: the page up to the rule, byte by byte, its figure alone, and the same data. */
+/* --brief gives the first page to the byte, its figures only, and the same data. */
 TEST_IN_PLACE(test_brief)
 {
-    struct run_outcome outcome;
-    char target[4096];
-    snprintf(target, sizeof target, "%s", directory_path(place, "brief"));
     assert_int_equal(pipeline_run(place, "in", "out", 1), 0);
-    struct run_options options = {
-        .output = target, .templates = PROJECT_SOURCE "/templates", .no_cost = true, .brief = true, .jobs = 1};
-    expect_ok(pipeline_try, &outcome, place, "in", options);
-    run_outcome_free(&outcome);
+    pipeline_outcome(place, "in", "brief", (struct run_options){.brief = true});
     char *whole = directory_read(place, "out/report.md"), *brief = directory_read(place, "brief/report.md");
     const char *rule = strstr(whole, "\n---\n");
     assert_non_null(rule);
@@ -196,9 +181,8 @@ TEST_IN_PLACE(test_brief)
     assert_int_equal(count_figures(place, "brief/figures"), 2);
     assert_true(count_figures(place, "out/figures") > 5);
     static const char *const same[] = {"data/contact.csv", "data/sensitivity.csv", "data/spread.csv", "results.json"};
-    for (size_t i = 0; i < sizeof same / sizeof *same; i++) {
+    for (size_t i = 0; i < sizeof same / sizeof *same; i++)
         directory_expect_same(place, filled("out/%s", same[i]), filled("brief/%s", same[i]));
-    }
     char *page = directory_read(place, "brief/report.html");
     assert_non_null(strstr(page, "What to know"));
     assert_null(strstr(page, "<details class=\"folded\">"));

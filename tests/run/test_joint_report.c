@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Gas in the gaps, films, platings and heating through the whole program: every number of the section and of its
- * columns from what else is in data/. */
+/* Gas, films, platings, heating and shape through the whole program: every number recomputed from others in data/. */
 #include "base/number_format.h"
 #include "contact/cmy.h"
 #include "joint/gas.h"
@@ -34,8 +33,7 @@ static int place_setup(void **state)
 /** The report of a scene. */
 static char *report_on(const struct directory *place, const char *scene)
 {
-    directory_write(place, "in/scene.yaml", scene);
-    assert_int_equal(pipeline_run(place, "in", "out", 1), 0);
+    pipeline_report(place, "in", "out", scene);
     return directory_read(place, "out/report.md");
 }
 
@@ -51,7 +49,7 @@ static double number(const struct table *table, size_t row, const char *column)
     return *table_text(table, row, column) ? table_number(table, row, column) : NAN;
 }
 
-/** As its rows are: equal where both are numbers, else neither is one. */
+/** Both are equal numbers, or neither is a number. */
 static void expect(double actual, double expected)
 {
     if (isnan(actual) != !isfinite(expected))
@@ -107,7 +105,7 @@ TEST_IN_PLACE(columns_follow_from_the_others)
                    "\"temperature_K\": 320", "\"plated_sides\": 1", "\"current_A\": 20", "\"joint_ecr_ohm_m2\": [");
 }
 
-/** Off: no column, chart, section, word; a key alone brings its own. */
+/** Without keys of the joint there is no column, chart or section; each key brings only its own. */
 TEST_IN_PLACE(nothing_that_is_not_called_for)
 {
     char *report = report_of(place, "");
@@ -140,13 +138,12 @@ TEST_IN_PLACE(nothing_that_is_not_called_for)
         assert_string_equal(table_text(&with, i, "ecr_ohm_m2"), table_text(&without, i, "ecr_ohm_m2"));
 }
 
-/** What results.json knows of a quantity of a surface by the leading model where the summary stands. */
+/** A surface's quantity in results.json, by the leading model at the operating load. */
 static const json_t *known(const json_t *results, size_t surface, const char *quantity)
 {
     const char *leading = json_string_value(json_object_get(results, "leading"));
-    const json_t *models = json_object_get(json_array_get(json_object_get(results, "surfaces"), surface), "models");
     const json_t *known =
-        json_object_get(json_object_get(json_object_get(models, leading), "at_middle_load"), quantity);
+        json_at(results, filled("surfaces/%zu/models/%s/at_middle_load/%s", surface, leading, quantity));
     if (!known)
         fail_msg("nothing is known of %s", quantity);
     return known;
@@ -156,8 +153,7 @@ static const json_t *known(const json_t *results, size_t surface, const char *qu
 static double end_of(const json_t *results, size_t surface, const char *quantity, size_t side)
 {
     const json_t *own = known(results, surface, quantity);
-    return json_number_value(json_array_get(json_object_get(own, "mean_95"), side)) /
-           json_number_value(json_object_get(own, "mean"));
+    return json_number_at(own, side ? "mean_95/1" : "mean_95/0") / json_number_at(own, "mean");
 }
 
 static json_t *results_of(const struct directory *place, const char *scene)
@@ -166,9 +162,8 @@ static json_t *results_of(const struct directory *place, const char *scene)
     return directory_json(place, "out/results.json");
 }
 
-/* The scatter of what the joint is made of is its own: where the film is all, the area's; where there is none, that of
- * the resistance; where a bond line is thick, none; in vacuum that of TCR. Of one scan, and of three; by a model that
- * has an error of its own, and by one that has none. */
+/* The joint's interval comes from what dominates it: with a thick film that of the area; without film that of the
+ * resistance; in vacuum that of TCR; with a thick bond line none. For one scan and for three, by two models. */
 TEST_IN_PLACE(intervals_hold_all_that_scatters)
 {
     static const char *const models[] = {"strip", "corrected-persson"};
@@ -201,17 +196,15 @@ TEST_IN_PLACE(intervals_hold_all_that_scatters)
                 if (rows[row].same)
                     other = end_of(results, surface, rows[row].same, rows[row].inverse ? !side : side);
                 else
-                    assert_within(json_number_value(
-                                      json_object_get(known(results, surface, rows[row].quantity), "standard_error")),
-                                  0, 0.01); /* 1/TCR beside it is next to nothing */
+                    assert_within(json_number_at(known(results, surface, rows[row].quantity), "standard_error"), 0,
+                                  0.01); /* 1/TCR beside it is next to nothing */
                 assert_near(own, rows[row].inverse ? 1 / other : other, 1e-6);
                 assert_true(!rows[row].same || fabs(log(own)) > 0.1);
             }
     }
 }
 
-/* Where film and constriction are as large, neither the one's nor the other's scatter is it: by scans, whose areas and
- * resistances scatter together. A limit goes by the very interval of the page and of results.json. */
+/* With film and constriction equally large, limits use the same interval as the page and results.json. */
 TEST_IN_PLACE(limits_go_by_the_interval_of_the_page)
 {
     pipeline_rough(place, "in/a2.csv", 600, 1, 5);
@@ -224,10 +217,9 @@ TEST_IN_PLACE(limits_go_by_the_interval_of_the_page)
                "surfaces: [{name: a, file: [a.csv, a2.csv, a3.csv]}, {name: b, file: b.csv}]\n");
     json_t *view = directory_json(place, "out/view.json");
     for (size_t surface = 0; surface < 2; surface++) {
-        const json_t *limits = json_object_get(results, "limits"),
-                     *ecr = json_object_get(json_array_get(limits, 2 * surface), "interval_95"),
-                     *heat = json_object_get(json_array_get(limits, 2 * surface + 1), "interval_95");
-        assert_true(json_equal(ecr, json_object_get(known(results, surface, "joint_ecr_ohm_m2"), "mean_95")));
+        const json_t *ecr = json_at(results, filled("limits/%zu/interval_95", 2 * surface)),
+                     *heat = json_at(results, filled("limits/%zu/interval_95", 2 * surface + 1));
+        assert_true(json_equal(ecr, json_at(known(results, surface, "joint_ecr_ohm_m2"), "mean_95")));
         char shown[2][40];
         for (size_t side = 0; side < 2; side++) {
             double end = json_number_value(json_array_get(ecr, side)), volts = 30 * end / 2e-6;
@@ -237,8 +229,7 @@ TEST_IN_PLACE(limits_go_by_the_interval_of_the_page)
             number_format(number, end / 2e-6 * 1e3, 2);
             snprintf(shown[side], sizeof shown[side], "%s", text_string(number));
         }
-        const json_t *row = json_array_get(json_object_get(view, "rows"), surface);
-        const char *interval = json_string_value(json_object_get(json_object_get(row, "value"), "interval"));
+        const char *interval = json_string_value(json_at(view, filled("rows/%zu/value/interval", surface)));
         assert_non_null(interval);
         expect_parts(interval, shown[0], shown[1]);
     }
@@ -249,13 +240,11 @@ TEST_IN_PLACE(limits_go_by_the_interval_of_the_page)
 /** The hardness of the first surface. */
 static double hardness_of(const json_t *results)
 {
-    const json_t *own = json_array_get(json_object_get(results, "surfaces"), 0), *scene;
-    scene = json_object_get(results, "scene");
-    own = json_object_get(json_object_get(own, "hardness_Pa") ? own : scene, "hardness_Pa");
-    return json_number_value(own);
+    double own = json_number_at(results, "surfaces/0/hardness_Pa");
+    return isnan(own) ? json_number_at(results, "scene/hardness_Pa") : own;
 }
 
-/* A plating thicker than indents are deep is what yields, and the page says which hardness it took. */
+/* A plating thicker than the indents are deep gives the hardness, and the page says which hardness is used. */
 TEST_IN_PLACE(a_plating_has_its_hardness)
 {
 #define BRONZE "material: bronze\nmodels: [corrected-persson]\nnominal_area: 1 mm2\noperating_load: 1 N\nbaseline: a\n"
@@ -279,9 +268,7 @@ TEST_IN_PLACE(a_plating_has_its_hardness)
     };
     double area[2] = {0};
     for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
-        char scene[512];
-        snprintf(scene, sizeof scene, BRONZE "%s", rows[k].more);
-        json_t *results = results_of(place, scene);
+        json_t *results = results_of(place, filled(BRONZE "%s", rows[k].more));
         char *page = directory_read(place, "out/report.md");
         *strstr(page, "\n---\n") = '\0';
         assert_near(hardness_of(results), rows[k].hardness_Pa, 1e-12);
@@ -290,16 +277,14 @@ TEST_IN_PLACE(a_plating_has_its_hardness)
         else
             expect_no_parts(page, "The hardness is");
     }
-    const json_t *own = json_array_get(
-        json_object_get(results_of(place, BRONZE "plating: {metal: tin, thickness: 20 um}\n"), "surfaces"), 0);
-    const struct cmy surface = {json_number_value(json_object_get(own, "sigma_m")),
-                                json_number_value(json_object_get(own, "mean_slope"))};
+    const json_t *thick = results_of(place, BRONZE "plating: {metal: tin, thickness: 20 um}\n");
+    const struct cmy surface = {json_number_at(thick, "surfaces/0/sigma_m"),
+                                json_number_at(thick, "surfaces/0/mean_slope")};
     const double indent_um = 1e6 * cmy_indent_m(&surface, 0.01); /* 1 MPa on 100 MPa */
     for (int side = 0; side < 2; side++) {                       /* on either side of that depth */
-        char scene[512];
-        snprintf(scene, sizeof scene, BRONZE "plating: {metal: tin, thickness: %g um}\n",
-                 indent_um * (side ? 1.02 : 0.98));
-        assert_near(hardness_of(results_of(place, scene)), side ? 100e6 : bronze_Pa, 1e-12);
+        const char *plating =
+            filled(BRONZE "plating: {metal: tin, thickness: %g um}\n", indent_um * (side ? 1.02 : 0.98));
+        assert_near(hardness_of(results_of(place, plating)), side ? 100e6 : bronze_Pa, 1e-12);
     }
     for (int given = 0; given < 2; given++) { /* as if the scene gave it */
         report_on(place,
@@ -315,8 +300,8 @@ TEST_IN_PLACE(a_plating_has_its_hardness)
     }
 }
 
-/* Parts that are flat, however that is said, have the numbers of flat parts; the more they bulge, the less of the area
- * carries the load and the less the joint conducts. */
+/* A shape that is flat gives the numbers of flat parts; the more the parts bulge, the less area carries the load and
+ * the less the joint conducts. */
 TEST_IN_PLACE(shape_of_the_parts)
 {
     static const char *const shapes[] = {"{crown: 1e9 m}", "{flatness: 1 um, over: 20 mm}",
@@ -366,7 +351,7 @@ TEST_IN_PLACE(shape_of_the_parts)
     assert_int_equal(compared, sizeof shapes / sizeof *shapes - 2);
 }
 
-/* Where the shape has no answer, the note says at which load, and what to do; elsewhere it says nothing. */
+/* If the shape has no solution, a note says at which load and what to do; else there is no note. */
 TEST_IN_PLACE(a_shape_without_an_answer)
 {
     static const struct {
@@ -392,8 +377,8 @@ TEST_IN_PLACE(a_shape_without_an_answer)
     }
 }
 
-/* The same shape as a map of the part's height has the same numbers; pressures that are the same all over, however they
- * are given, those of flat parts; parts of the area without a place have no way to them. */
+/* A shape given as a map of heights has the same numbers. Uniform pressures, however given, have those of flat parts.
+ * Pressures on shares of the area without place leave out the way to the spots. */
 TEST_IN_PLACE(shape_from_files)
 {
     static const char *const shapes[] = {
@@ -443,8 +428,8 @@ TEST_IN_PLACE(shape_from_files)
     }
 }
 
-/** The first table of the appendix, to its four digits from what stands in data/ at the operating load; without
- * hardness there is none to paste. */
+/** The appendix's table to paste, to four digits, from data/ at the operating load; its hardness is empty without one.
+ */
 TEST_IN_PLACE(to_paste)
 {
     const char *tail = "gap: {gas: air}\nload: {values: [1e-6, 1e-5, 1e-4]}\noperating_load: 1e-5\n"
@@ -453,8 +438,7 @@ TEST_IN_PLACE(to_paste)
     static const char *const bodies[] = {"{E: 50 GPa, nu: 0.3, Sy: 20 MPa, conductivity: 60}",
                                          "{E: 50 GPa, nu: 0.3, conductivity: 60}"};
     for (int k = 0; k < 2; k++) {
-        directory_write(place, "in/scene.yaml", filled("material: %s\n%s", bodies[k], tail));
-        assert_int_equal(pipeline_run(place, "in", "out", 1), 0);
+        pipeline_report(place, "in", "out", filled("material: %s\n%s", bodies[k], tail));
         char *report = directory_read(place, "out/report.md");
         struct table contact = directory_table(place, "out/data/contact.csv");
         struct table scalars = directory_table(place, "out/data/surfaces.csv");
@@ -483,8 +467,8 @@ TEST_IN_PLACE(to_paste)
     }
 }
 
-/** A flatness that is not given, of a hundredth of a percent of the length, is said to cost what it costs where it is
- * given; without area, with a shape, or where it is little, nothing is said. */
+/** "Flatness counts" states the same factor that a shape of that flatness gives. Without area, with a shape, or with
+ * little effect, it is not said. */
 TEST_IN_PLACE(flatness_that_is_not_given)
 {
     static const char said[] = " would divide the conductance by ", effect[] = "the scene has 'shape'; conductance × ";
@@ -508,7 +492,7 @@ TEST_IN_PLACE(flatness_that_is_not_given)
     }
 }
 
-/** Vacuum carries nothing, no film adds nothing; what the scene puts into the joint is told. */
+/** Vacuum conducts nothing, and a film of 0 adds nothing; the report says what is in the joint. */
 TEST_IN_PLACE(sentences)
 {
     char *report = report_of(place, "gap: {gas: vacuum}\nfilm: 0\n");
@@ -537,14 +521,12 @@ TEST_IN_PLACE(sentences)
         {"material: tin\nfilm: 1e-3 ohm m2\n", "The film has 0.00100 Ω·m²."},
     };
     for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
-        char scene[1024];
-        snprintf(scene, sizeof scene, "models: [strip]\n" LOADS "%s", rows[k].scene);
-        report = report_on(place, scene);
+        report = report_on(place, filled("models: [strip]\n" LOADS "%s", rows[k].scene));
         expect_parts(strstr(report, "## The joint"), rows[k].says);
     }
 }
 
-/** A limit and a target say what is in them, and which end of the loads they stand at. */
+/** Limits and targets name the film and plating they include, and say if they are met only outside the loads. */
 TEST_IN_PLACE(what_is_in_the_answer)
 {
     static const struct {
@@ -555,23 +537,21 @@ TEST_IN_PLACE(what_is_in_the_answer)
         {"film: 1e-9 ohm m2\nplating: {thickness: 2 um, resistivity: 1e-8}\n", "film and plating", "between them"},
     };
     for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
-        char scene[1024], target[100];
-        snprintf(scene, sizeof scene,
-                 "material: tin\nmodels: [strip, cmy]\nnominal_area: 1 mm2\nload: {from: 1 N, to: 30 N, points: 5}\n"
-                 "targets: [{ecr: 1 ohm}, {ecr: 1 nohm}]\nlimits: {ecr: {most: 1 ohm}}\n%s",
-                 rows[k].key);
-        snprintf(target, sizeof target, "\n- ECR with %s 1\u00a0nΩ is not reached at the loads of this report.\n",
-                 rows[k].says);
-        char *report = report_on(place, scene);
+        char *report =
+            report_on(place, filled("material: tin\nmodels: [strip, cmy]\nnominal_area: 1 mm2\n"
+                                    "load: {from: 1 N, to: 30 N, points: 5}\n"
+                                    "targets: [{ecr: 1 ohm}, {ecr: 1 nohm}]\nlimits: {ecr: {most: 1 ohm}}\n%s",
+                                    rows[k].key));
         *strstr(report, "\n---\n") = '\0';
-        expect_parts(report, filled(" | ECR with %s ≤ 1\u00a0Ω | ", rows[k].says), "✓ met", target,
+        expect_parts(report, filled(" | ECR with %s ≤ 1\u00a0Ω | ", rows[k].says), "✓ met",
+                     filled("\n- ECR with %s 1\u00a0nΩ is not reached at the loads of this report.\n", rows[k].says),
                      "*a* needs at most 1.00\u00a0N");
         expect_no_parts(report, rows[k].unsaid);
     }
 }
 
-/** Where a bond line keeps the metals apart nothing is said of spots, of what they would be off by, or of the load; the
- * numbers are the filler's, the verdicts go by them, and no number came out infinite. A thinner one leaves it said. */
+/** If a bond line keeps the metals apart, the page says nothing of spots, their uncertainty, or the load; numbers and
+ * verdicts are the filler's. With a thin bond line the page says it all. */
 TEST_IN_PLACE(a_bond_line_that_keeps_the_metals_apart)
 {
     static const char *const of_spots[] = {
@@ -608,8 +588,8 @@ TEST_IN_PLACE(a_bond_line_that_keeps_the_metals_apart)
     }
 }
 
-/** Parts that are not flat come to touch all over under load, also where a bond line holds the planes: what that gives
- * is found between the loads of the curve, and no load gives more than flat parts have. */
+/** Load flattens the parts, also if a bond line fixes the gap: targets are then found between the loads of the curve,
+ * but none above the conductance of flat parts. */
 TEST_IN_PLACE(a_bond_line_between_parts_that_are_not_flat)
 {
     static const char with[] = "load: {from: 1e-7, to: 3e-4, points: 9}\noperating_load: 1e-6\nmaterial: tin\n"

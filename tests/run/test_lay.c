@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A lay, through the whole program: given, measured along it, known of a map, and not known. */
+/* A lay through the whole program: given, measured along it, known from a map, and not known. */
 #include "run/pipeline.h"
 
 #include <jansson.h>
@@ -10,16 +10,15 @@ enum { POINTS = 240, SCANS = 3 };
 static void run_scene(const struct directory *place, const char *out, const char *files, const char *keys,
                       const char *more)
 {
-    struct text *text = support_text();
-    text_add(text,
-             "material: tin\nhardness: 20 GPa\neffects: [plasticity, separation, electrical, uncertainty]\nload: "
-             "{from: 1e-5, to: 1e-1, points: 9}\noperating_load: 1e-3\nsurfaces: [{name: s, file: %s%s}]\n%s",
-             files, keys, more);
-    directory_write(place, "in/scene.yaml", text_string(text));
-    assert_int_equal(pipeline_run(place, "in", out, 1), 0);
+    pipeline_report(place, "in", out,
+                    filled("material: tin\nhardness: 20 GPa\n"
+                           "effects: [plasticity, separation, electrical, uncertainty]\n"
+                           "load: {from: 1e-5, to: 1e-1, points: 9}\noperating_load: 1e-3\n"
+                           "surfaces: [{name: s, file: %s%s}]\n%s",
+                           files, keys, more));
 }
 
-/* Scans `times` as high, `apart` as far apart as others of the same number. */
+/* Scans with heights and spacing multiplied by these. */
 static void write_scans(const struct directory *place, const char *prefix, double times, double apart)
 {
     for (unsigned long seed = 1; seed <= SCANS; seed++) {
@@ -39,9 +38,7 @@ static void write_scans(const struct directory *place, const char *prefix, doubl
 
 static double lay_number(const struct directory *place, const char *out, const char *key)
 {
-    json_t *root = directory_json(place, filled("%s/results.json", out));
-    const json_t *surface = json_array_get(json_object_get(root, "surfaces"), 0);
-    return json_number_value(json_object_get(json_object_get(surface, "lay"), key));
+    return pipeline_number(place, out, filled("surfaces/0/lay/%s", key));
 }
 
 /* All numbers of a table of two runs. */
@@ -62,8 +59,8 @@ static void expect_same(const struct directory *place, const char *file, const c
         }
 }
 
-/** A surface of lay r is the one whose waves are sqrt(2/(1 + r²)) times as long, in every model; what describes the
- * scans stays as measured. Along scans 0.6 times as high are r = 0.6. */
+/** For every model a surface of lay r is an isotropic one whose waves are sqrt(2/(1 + r²)) times as long; the numbers
+ * that describe the scans stay as measured. Scans along that are 0.6 times as high give r = 0.6. */
 TEST_IN_DIRECTORY(a_lay_stretches_the_waves)
 {
     static const struct {
@@ -103,21 +100,16 @@ static void answer_of(double out[3], const struct directory *place, const char *
 {
     struct table contact = directory_table(place, filled("%s/data/contact.csv", run)),
                  bands = directory_table(place, filled("%s/data/bands.csv", run));
-    for (size_t row = 0; row < contact.rows; row++)
-        if (strcmp(table_text(&contact, row, "model"), "strip") == 0 &&
-            fabs(table_number(&contact, row, "load_over_AnEp") - 1e-3) < 1e-9) {
-            out[0] = table_number(&contact, row, "area_ratio");
-            out[1] = table_number(&contact, row, "ecr_ohm_m2");
-        }
-    for (size_t row = 0; row < bands.rows; row++)
-        if (strcmp(table_text(&bands, row, "model"), "strip") == 0 &&
-            fabs(table_number(&bands, row, "load_over_AnEp") - 1e-3) < 1e-9)
-            out[2] = log(table_number(&bands, row, "ecr_ohm_m2_mean_high_95") /
-                         table_number(&bands, row, "ecr_ohm_m2_mean_low_95"));
+    const size_t row = pipeline_row(&contact, NULL, "strip", 1e-3), band = pipeline_row(&bands, NULL, "strip", 1e-3);
+    out[0] = table_number(&contact, row, "area_ratio");
+    out[1] = table_number(&contact, row, "ecr_ohm_m2");
+    out[2] = log(table_number(&bands, band, "ecr_ohm_m2_mean_high_95") /
+                 table_number(&bands, band, "ecr_ohm_m2_mean_low_95"));
 }
 
-/** Whichever of two directions a scene calls along, the steeper one is across: r is at most 1, every number is the
- * same, and a note says so. The strips of the flatter one take part, and the interval is narrower than with r alone. */
+/** Whichever direction the scene calls `along`, the steeper one counts as across: r is at most 1, all numbers are the
+ * same, and a note says so. The flatter scans' strips are used too, so that the interval is narrower than with r alone.
+ */
 TEST_IN_DIRECTORY(the_steeper_direction_is_across)
 {
     static const struct {
@@ -149,7 +141,7 @@ TEST_IN_DIRECTORY(the_steeper_direction_is_across)
     }
 }
 
-/** Scans that are refused or copies are told in either direction; the same scans are no second direction. */
+/** Refused scans and copies are reported in both directions; the same scans cannot be both. */
 TEST_IN_DIRECTORY(scans_along_are_read_as_others)
 {
     write_scans(place, "a", 1, 1);
@@ -161,14 +153,11 @@ TEST_IN_DIRECTORY(scans_along_are_read_as_others)
     assert_true(lay_number(place, "o", "r") < 1);
     run_scene(place, "o", "'a*.csv'", ", along: 'l*.csv'", "models: [strip]\n");
     assert_non_null(strstr(directory_read(place, "o/results.json"), "1 of 7 files"));
-    struct text *scene = support_text();
-    text_add(scene, "material: tin\nsurfaces: [{name: s, file: 'a*.csv', along: 'a*.csv'}]\n");
-    directory_write(place, "in/scene.yaml", text_string(scene));
-    struct run_outcome outcome;
+    directory_write(place, "in/scene.yaml", "material: tin\nsurfaces: [{name: s, file: 'a*.csv', along: 'a*.csv'}]\n");
     struct status status = {0};
-    assert_int_not_equal(pipeline_into(&outcome, place, "in", "same", (struct run_options){.jobs = 1}, &status), 0);
-    assert_non_null(strstr(text_string(&outcome.messages), "along: its scans are those of 'file'"));
-    run_outcome_free(&outcome);
+    const struct run_outcome *outcome = pipeline_into(place, "in", "same", (struct run_options){0}, &status);
+    assert_int_not_equal(status.code, STATUS_OK);
+    expect_parts(text_string(&outcome->messages), "along: its scans are those of 'file'");
 }
 
 /** A map of waves along x and weaker ones along y, on a plane, has the ratio of their slopes; turned, the inverse. */

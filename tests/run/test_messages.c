@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What is said of very many surfaces: a line a kind, with their number; all of it where no report has it. */
+/* Messages on very many surfaces: one line for each kind, with their number; all lines if there is no report. */
 #include "run/messages.h"
 #include "support.h"
 
@@ -33,52 +33,50 @@ static void make(void)
     }
 }
 
-static size_t lines_with(const struct text *text, const char *part)
+static size_t lines_with(const char *text, const char *part)
 {
     size_t count = 0;
-    for (const char *at = text_string(text); (at = strstr(at, part)); at++)
+    for (const char *at = text; (at = strstr(at, part)); at++)
         count++;
     return count;
 }
 
-/* Is this said of these surfaces, of which so many are refused? */
-static struct text said_of(const struct surface_record *surface, size_t count, bool reported, size_t refused)
+/* The messages on these surfaces, of which `refused` must be refused. */
+static const char *said_of(const struct surface_record *surface, size_t count, bool reported, size_t refused)
 {
     const struct scene scene = {.passed_over = NULL};
     const struct plan plan = {.words = support_words()};
     struct results results = {
         .scene = &scene, .plan = &plan, .surfaces = (struct surface_record *)surface, .surface_count = count};
-    struct text text = {0};
-    assert_int_equal(messages_add(&text, &results, reported), refused);
-    return text;
+    struct text *text = support_text();
+    assert_int_equal(messages_add(text, &results, reported), refused);
+    return text_string(text);
 }
 
 TEST_CASE(all_are_said_without_a_report)
 {
     make();
-    struct text text = said_of(records, SURFACES, false, 10);
-    assert_int_equal(lines_with(&text, "holds from"), 40);
-    assert_int_equal(lines_with(&text, "looks like"), 20);
-    assert_int_equal(lines_with(&text, " refused: "), 10);
-    assert_int_equal(lines_with(&text, " more: "), 0);
-    text_free(&text);
+    const char *text = said_of(records, SURFACES, false, 10);
+    assert_int_equal(lines_with(text, "holds from"), 40);
+    assert_int_equal(lines_with(text, "looks like"), 20);
+    assert_int_equal(lines_with(text, " refused: "), 10);
+    assert_int_equal(lines_with(text, " more: "), 0);
 }
 
 TEST_CASE(notes_alike_are_a_line_beside_a_report)
 {
     make();
     note_add(&records[0].summary.notes, NULL, "note.narrow\nfrom 7\nto 9"); /* twice on one surface */
-    struct text text = said_of(records, SURFACES, true, 10);
-    assert_int_equal(lines_with(&text, "holds from"), 1);
-    assert_int_equal(lines_with(&text, "looks like"), 1);
-    assert_int_equal(lines_with(&text, " refused: "), 10);
-    expect_parts(text_string(&text),
+    const char *text = said_of(records, SURFACES, true, 10);
+    assert_int_equal(lines_with(text, "holds from"), 1);
+    assert_int_equal(lines_with(text, "looks like"), 1);
+    assert_int_equal(lines_with(text, " refused: "), 10);
+    expect_parts(text,
                  "surface 's0' and 39 more: the power law is narrow: it holds from 1.5 to 20 um only, under a decade\n",
                  "surface 's1' and 19 more: looks like 'a.csv', too\n");
-    text_free(&text);
 }
 
-/* The notes of a counterface's files are told apart by them, but for numbers; each is said with its file. */
+/* Notes on different files of a counterface are different kinds; each names its file. */
 TEST_CASE(notes_of_the_counterface_name_its_files)
 {
     struct note_list other = {0}, *own = &records[0].summary.notes;
@@ -91,41 +89,36 @@ TEST_CASE(notes_of_the_counterface_name_its_files)
     note_add(own, "a1.csv", "note.text\ntext\tsteps of 1");
     for (size_t n = 0; n < other.count; n++)
         note_add_counterface(own, &other.notes[n]);
-    struct text text = said_of(records, 1, true, 0);
-    assert_string_equal(text_string(&text),
-                        "surface 's0': the power law is narrow: it holds from 1.5 to 20 um only, under a decade\n"
-                        "surface 's0': a1.csv: steps of 1\n"
-                        "surface 's0': counterface c.csv:1: no scan - refused; 4 of its 5 scans are used\n"
-                        "surface 's0': counterface a1.csv: steps of 1 (and of 1 more scan)\n"
-                        "surface 's0': counterface b\\x0a.csv: steps of 3\n");
-    text_free(&text);
+    const char *text = said_of(records, 1, true, 0);
+    assert_string_equal(text, "surface 's0': the power law is narrow: it holds from 1.5 to 20 um only, under a decade\n"
+                              "surface 's0': a1.csv: steps of 1\n"
+                              "surface 's0': counterface c.csv:1: no scan - refused; 4 of its 5 scans are used\n"
+                              "surface 's0': counterface a1.csv: steps of 1 (and of 1 more scan)\n"
+                              "surface 's0': counterface b\\x0a.csv: steps of 3\n");
     note_list_free(own);
     note_list_free(&other);
 }
 
-/* More kinds than are told apart: nothing is held back. */
+/* With more kinds than are counted, every note gets a line. */
 TEST_CASE(what_is_of_no_kind_is_said)
 {
     enum { MANY = 300 };
     struct scene_surface *all = support_room(MANY * sizeof *all);
     struct surface_record *said = support_room(MANY * sizeof *said);
-    char(*note)[8] = calloc(MANY, sizeof *note);
-    assert_true(all && said && note);
+    char(*note)[8] = support_room(MANY * sizeof *note);
     for (size_t i = 0; i < MANY; i++) {
         snprintf(note[i], sizeof *note, "%c%c%c", (char)('a' + i % 25), (char)('a' + i / 25), 'a');
         all[i].name = note[i];
         said[i].summary = (struct surface_summary){.scene = &all[i]};
         note_add(&said[i].summary.notes, NULL, "note.text\ntext\t%s", note[i]);
     }
-    struct text text = said_of(said, MANY, true, 0);
-    assert_int_equal(lines_with(&text, "\n"), MANY);
-    text_free(&text);
+    const char *text = said_of(said, MANY, true, 0);
+    assert_int_equal(lines_with(text, "\n"), MANY);
     for (size_t i = 0; i < MANY; i++)
         note_list_free(&said[i].summary.notes);
-    free(note);
 }
 
-/* A refused surface's notes are in no report: none is left out. */
+/* Notes of refused surfaces are not in the report, so all of them are shown, for the first ten surfaces. */
 TEST_CASE(notes_of_the_refused_are_said)
 {
     make();
@@ -134,15 +127,13 @@ TEST_CASE(notes_of_the_refused_are_said)
         note_it(i);
         records[i].summary.refusal = refusals[i];
     }
-    struct text text = said_of(records, SURFACES, true, SURFACES);
-    assert_int_equal(lines_with(&text, "holds from"), 10);
-    assert_int_equal(lines_with(&text, " refused: "), 10);
-    assert_int_equal(lines_with(&text, "more refused"), 1);
-    text_free(&text);
+    const char *text = said_of(records, SURFACES, true, SURFACES);
+    assert_int_equal(lines_with(text, "holds from"), 10);
+    assert_int_equal(lines_with(text, " refused: "), 10);
+    assert_int_equal(lines_with(text, "more refused"), 1);
     text = said_of(records, 10, true, 10);
-    assert_int_equal(lines_with(&text, " refused: "), 10);
-    assert_int_equal(lines_with(&text, "more refused"), 0);
-    text_free(&text);
+    assert_int_equal(lines_with(text, " refused: "), 10);
+    assert_int_equal(lines_with(text, "more refused"), 0);
 }
 
 static int let_go(void **state)

@@ -23,17 +23,15 @@ static void write_report_before(const struct directory *place)
     directory_write(place, "out/manifest.txt", OUTPUT_MANIFEST_HEADER "manifest.txt\nreport.md\nresults.json\n");
 }
 
-/* Runs that end early leave OUT and what is around it as they were. */
+/* A run that fails leaves OUT and its surroundings as they were. */
 static void assert_untouched(const struct directory *place, struct run_options options, enum status_code expected,
                              const char *words)
 {
-    struct run_outcome outcome;
     struct status status = {0};
     size_t entries = directory_entries(place, "");
-    assert_int_equal(pipeline_into(&outcome, place, "in", "out", options, &status), expected);
+    assert_null(pipeline_into(place, "in", "out", options, &status)->path);
+    assert_int_equal(status.code, expected);
     expect_parts(status.message, words);
-    assert_null(outcome.path);
-    run_outcome_free(&outcome);
     assert_int_equal(directory_entries(place, ""), entries);
     directory_holds(place, "out/report.md", "before");
     assert_int_equal(directory_entries(place, "out"), 3);
@@ -56,7 +54,7 @@ PLACED(test_a_run_that_fails_leaves_the_report_before)
     assert_untouched(place, (struct run_options){0}, STATUS_SCAN, "no scan in");
 }
 
-/* The signal comes while surfaces are being evaluated. */
+/* A signal comes while surfaces are evaluated. */
 static atomic_bool stop_soon;
 static double evaluated;
 
@@ -76,7 +74,7 @@ PLACED(test_a_signal_halfway_stops_the_run)
     assert_near(evaluated, 1, 0); /* no other surface was begun */
 }
 
-/* How far the threads are is told by one at a time. */
+/* Progress is reported by one thread at a time. */
 static atomic_int telling;
 static atomic_bool at_once;
 static double told;
@@ -92,21 +90,16 @@ static void tell_slowly(const char *stage, const char *name, double done, double
 
 PLACED(test_threads_tell_one_at_a_time)
 {
-    struct run_outcome outcome;
-    const struct run_options options = {.jobs = 3, .progress = tell_slowly};
-    expect_ok(pipeline_into, &outcome, *state, "in", "out", options);
-    run_outcome_free(&outcome);
+    pipeline_outcome(*state, "in", "out", (struct run_options){.jobs = 3, .progress = tell_slowly});
     assert_near(told, 3, 0);
     assert_false(at_once);
 }
 
 PLACED(test_the_baseline_and_the_order_do_not_depend_on_file_names)
 {
-    directory_write(*state, "in/scene.yaml", "material: tin\neffects: [electrical]\n");
-    assert_int_equal(pipeline_run(*state, "in", "out", 1), 0);
+    pipeline_report(*state, "in", "out", "material: tin\neffects: [electrical]\n");
     expect_in_file(*state, "out/report.md", "*a* at "); /* the second smoothest */
-    directory_write(*state, "in/scene.yaml", "material: tin\neffects: [electrical]\nbaseline: c\n");
-    assert_int_equal(pipeline_run(*state, "in", "out", 1), 0);
+    pipeline_report(*state, "in", "out", "material: tin\neffects: [electrical]\nbaseline: c\n");
     expect_in_file(*state, "out/report.md", "*c* at ");
 }
 
@@ -120,14 +113,11 @@ enum status_code __wrap_direct_ladder_run(struct direct_point *out, struct direc
     return status_fail(status, STATUS_MODEL, "the direct solution does not converge at p/E' = 0.01");
 }
 
-/* A direct solution that does not converge gives no number and takes none of the report away. */
+/* Without convergence of the direct solution the rest of the report stays. */
 PLACED(test_no_convergence_leaves_the_report)
 {
-    struct run_outcome outcome;
-    directory_write(*state, "in/scene.yaml",
+    pipeline_report(*state, "in", "out",
                     "material: tin\neffects: [electrical]\nbaseline: b\ndirect: {grid: 64, seeds: 1, loads: 3}\n");
-    expect_ok(pipeline_into, &outcome, *state, "in", "out", (struct run_options){0});
-    run_outcome_free(&outcome);
     expect_in_file(*state, "out/report.md", "## The models against the direct solution\n\nNo direct solution: ",
                    "does not converge at p/E' = 0.01", "*b* at ");
     expect_not_in_file(*state, "out/report.md", "figures/direct");

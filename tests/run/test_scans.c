@@ -12,9 +12,9 @@ enum { POINTS = 256, SCANS = 5 };
 /* A scene with these lines before its surfaces. */
 static void write_scene(const struct directory *place, const char *in, const char *more, const char *surfaces)
 {
-    struct text *text = support_text();
-    text_add(text, "material: tin\nload: {from: 1e-6, to: 1e-3, points: 7}\n%ssurfaces: [%s]\n", more, surfaces);
-    directory_write(place, filled("%s/scene.yaml", in), text_string(text));
+    directory_write(
+        place, filled("%s/scene.yaml", in),
+        filled("material: tin\nload: {from: 1e-6, to: 1e-3, points: 7}\n%ssurfaces: [%s]\n", more, surfaces));
 }
 
 /* The report in place/OUT of such a one. */
@@ -43,22 +43,9 @@ static void rough(const struct directory *place, const char *name, size_t points
     pipeline_scan(place, name, height_m, points);
 }
 
-/* Row of a surface and model at load number `load`; fails the test when there is none. */
-static size_t row_of(const struct table *table, const char *surface, const char *model, double load)
-{
-    for (size_t r = 0; r < table->rows; r++)
-        if (strcmp(table_text(table, r, "surface"), surface) == 0 &&
-            strcmp(table_text(table, r, "model"), model) == 0 &&
-            fabs(table_number(table, r, "load_over_AnEp") / load - 1) < 1e-9)
-            return r;
-    fail_msg("no row of %s, %s at %g", surface, model, load);
-    return 0;
-}
-
-/** The surface's curve, but for the textbook's (test_textbook.c), is the geometric mean of those of its scans, each
- * reported by itself: of
- * separation/sigma, not of metres; of what may be negative the arithmetic one. The scans' order in the scene does not
- * matter. */
+/** The surface's curve (except the textbook's, see test_textbook.c) is the geometric mean of the curves of its scans,
+ * each from a report of its own. Separations are averaged over sigma; what may be negative has the arithmetic mean. The
+ * order of the scans in the scene does not matter. */
 TEST_IN_DIRECTORY(the_mean_of_five_reports)
 {
     static const char *const columns[] = {"area_ratio", "ecr_ohm_m2", "separation_over_sigma",
@@ -81,7 +68,7 @@ TEST_IN_DIRECTORY(the_mean_of_five_reports)
                 table_number(&all, r, "area_ratio") == 1)
                 continue;
             for (int s = 0; s < SCANS; s++) {
-                double value = table_number(&alone[s], row_of(&alone[s], "m", model, load), columns[c]);
+                double value = table_number(&alone[s], pipeline_row(&alone[s], "m", model, load), columns[c]);
                 sum += signed_one ? value : log(value);
             }
             double mean = signed_one ? sum / SCANS : exp(sum / SCANS);
@@ -114,12 +101,12 @@ TEST_IN_DIRECTORY(the_interval_of_two)
     for (int s = 0; s < 2; s++) {
         report(place, s ? "one" : "zero", elastic, s ? "{name: m, file: 1.csv}" : "{name: m, file: 0.csv}");
         struct table table = directory_table(place, s ? "one/data/contact.csv" : "zero/data/contact.csv");
-        ln[s] = log(table_number(&table, row_of(&table, "m", "gw", 1e-5), "ecr_ohm_m2"));
-        ln_gap[s] = log(table_number(&table, row_of(&table, "m", "gw", 1e-5), "adjusted_separation_over_sigma"));
+        ln[s] = log(table_number(&table, pipeline_row(&table, "m", "gw", 1e-5), "ecr_ohm_m2"));
+        ln_gap[s] = log(table_number(&table, pipeline_row(&table, "m", "gw", 1e-5), "adjusted_separation_over_sigma"));
     }
     report(place, "both", elastic, "{name: m, file: [0.csv, 1.csv]}");
     struct table bands = directory_table(place, "both/data/bands.csv");
-    size_t row = row_of(&bands, "m", "gw", 1e-5);
+    size_t row = pipeline_row(&bands, "m", "gw", 1e-5);
     double mean = (ln[0] + ln[1]) / 2, s = fabs(ln[0] - ln[1]) / 2, half = half_of(s, 0.87);
     assert_near(table_number(&bands, row, "ecr_ohm_m2_mean_low_95"), exp(mean - half), 1e-9);
     assert_near(table_number(&bands, row, "ecr_ohm_m2_mean_high_95"), exp(mean + half), 1e-9);
@@ -130,12 +117,10 @@ TEST_IN_DIRECTORY(the_interval_of_two)
     assert_near(table_number(&bands, row, "separation_over_sigma_mean_low_95"), exp(mean - half), 1e-9);
     assert_near(table_number(&bands, row, "separation_over_sigma_mean_high_95"), exp(mean + half), 1e-9);
     struct table spread = directory_table(place, "both/data/spread.csv"); /* results.json has the same */
-    char *json = directory_read(place, "both/results.json");
-    const char *rq = strstr(strstr(json, "\"spread\""), "\"rq_m\""), *ends[2];
-    ends[0] = strchr(strstr(rq, "\"mean_95\""), '[');
-    ends[1] = strchr(strstr(rq, "\"next_scan_95\""), '[');
-    assert_near(strtod(ends[0] + 1, NULL), table_number(&spread, 0, "mean_low_95"), 1e-15);
-    assert_near(strtod(ends[1] + 1, NULL), table_number(&spread, 0, "next_scan_low_95"), 1e-15);
+    assert_near(pipeline_number(place, "both", "surfaces/0/spread/rq_m/mean_95/0"),
+                table_number(&spread, 0, "mean_low_95"), 1e-15);
+    assert_near(pipeline_number(place, "both", "surfaces/0/spread/rq_m/next_scan_95/0"),
+                table_number(&spread, 0, "next_scan_low_95"), 1e-15);
     expect_in_file(place, "both/report.md", "(95\u00a0%: ");
 }
 
@@ -145,8 +130,8 @@ static double cell(const struct table *table, size_t row, const char *column)
     return *table_text(table, row, column) ? table_number(table, row, column) : NAN;
 }
 
-/** Intervals of one scan and of two that are quite unlike, up to full contact: each about its value and with a width,
- * above 0, of an area up to 1; none where a number is that of the load alone. */
+/** Intervals of one scan and of two very different ones, up to full contact: they contain the value, have a width, lie
+ * above 0 and for areas below 1. A quantity given by the load alone has none. */
 TEST_IN_DIRECTORY(intervals_in_the_data)
 {
     static const char *const names[] = {"area_ratio", "separation_over_sigma", "ecr_ohm_m2"};
@@ -180,7 +165,7 @@ TEST_IN_DIRECTORY(intervals_in_the_data)
                 continue;
             assert_true(low > 0 && low <= high && (q > 0 || high <= 1));
             double load = table_number(&bands, r, "load_over_AnEp"),
-                   value = cell(&contact, row_of(&contact, surface, model, load),
+                   value = cell(&contact, pipeline_row(&contact, surface, model, load),
                                 statistical && q == 1 ? "adjusted_separation_over_sigma" : names[q]);
             if (elastic && q == 0) /* where it bears more than the hardness it has none */
                 assert_true(value >= load * modulus_over_hardness);
@@ -196,7 +181,7 @@ TEST_IN_DIRECTORY(intervals_in_the_data)
             at_most[several] += q == 0 && high == 1 ? 1 : 0;
         }
     /* pressed lightly, a separation goes as sigma: record by record their scatter cancels; in metres it is 14 times */
-    size_t light = row_of(&bands, "rough", "multiscale-plastic", 1e-6);
+    size_t light = pipeline_row(&bands, "rough", "multiscale-plastic", 1e-6);
     double half = log(cell(&bands, light, "separation_over_sigma_mean_high_95") /
                       cell(&bands, light, "separation_over_sigma_mean_low_95")) /
                   2; /* with the model's error, 2.50, taken out of it */
@@ -207,7 +192,7 @@ TEST_IN_DIRECTORY(intervals_in_the_data)
     assert_true(at_most[0] > 0 && at_most[1] > 0 && alike > 4 && pressed > 4 && yielding > 4);
 }
 
-/** A scan of twice the length is cut in two: it then says what its halves, reported as scans of one surface, say. */
+/** A scan of twice the length is cut in two, and gives the same as its halves given as two scans. */
 TEST_IN_DIRECTORY(unlike_lengths)
 {
     double height_m[2 * POINTS];
@@ -228,7 +213,7 @@ TEST_IN_DIRECTORY(unlike_lengths)
     double ln[3];
     static const char *const names[] = {"cut", "halves", "short"};
     for (int s = 0; s < 3; s++)
-        ln[s] = log(table_number(&contact, row_of(&contact, names[s], "multiscale-elastic", 1e-5), "ecr_ohm_m2"));
+        ln[s] = log(table_number(&contact, pipeline_row(&contact, names[s], "multiscale-elastic", 1e-5), "ecr_ohm_m2"));
     assert_within(ln[0], (2 * ln[1] + ln[2]) / 3, 1e-6); /* the long one weighs two; heights are written to 1e-15 m */
     assert_near(table_number(&spread, 0, "effective"), 3, 1e-12);
     assert_near(table_number(&spread, 0, "scans"), 2, 1e-12);
@@ -284,15 +269,23 @@ TEST_IN_DIRECTORY(names_change_nothing)
     }
     report(place, "after", "models: [strip, gw]\n", "{name: m, file: [a.csv, b.csv, c.csv]}");
     static const char *const data[] = {"contact", "bands", "spread", "spectrum"};
-    for (size_t d = 0; d < 4; d++) {
-        struct text *before = support_text(), *after = support_text();
-        expect_ok(text_read_file, before, directory_path(place, filled("before/data/%s.csv", data[d])));
-        expect_ok(text_read_file, after, directory_path(place, filled("after/data/%s.csv", data[d])));
-        assert_string_equal(text_string(before), text_string(after));
-    }
+    for (size_t d = 0; d < 4; d++)
+        directory_expect_same(place, filled("before/data/%s.csv", data[d]), filled("after/data/%s.csv", data[d]));
 }
 
-/** One scan with open ends that holds few of its longest waves: what it cannot know is in its interval. */
+/** What results.json knows of the first surface's resistance by a model. */
+static double of_resistance(const struct directory *place, const char *out, const char *model, const char *key)
+{
+    return pipeline_number(place, out, filled("surfaces/0/models/%s/at_middle_load/ecr_ohm_m2/%s", model, key));
+}
+
+/** The width of its 95 % interval, of the logarithm. */
+static double width_of(const struct directory *place, const char *out, const char *model)
+{
+    return log(of_resistance(place, out, model, "mean_95/1") / of_resistance(place, out, model, "mean_95/0"));
+}
+
+/** The interval of one open scan with few of its longest waves is wider, by what it cannot know of them. */
 TEST_IN_DIRECTORY(few_longest_waves)
 {
     struct synth_def def = synth_def_default();
@@ -303,19 +296,15 @@ TEST_IN_DIRECTORY(few_longest_waves)
     expect_ok(synth_profile, height_m, &def);
     pipeline_scan(place, "in/0.csv", height_m, POINTS);
     report(place, "out", "effects: [separation, electrical, uncertainty]\nmodels: [strip]\n", "{name: m, file: 0.csv}");
-    json_t *results = directory_json(place, "out/results.json");
-    json_t *surface = json_array_get(json_object_get(results, "surfaces"), 0), *ends;
-    double waves = json_number_value(json_object_get(surface, "longest_waves")), s, low, high;
+    const double waves = pipeline_number(place, "out", "surfaces/0/longest_waves"),
+                 s = of_resistance(place, "out", "strip", "standard_deviation");
     assert_true(waves > 1 && waves < 2);
-    assert_int_equal(json_unpack(surface, "{s:{s:{s:{s:{s:F, s:o}}}}}", "models", "strip", "at_middle_load",
-                                 "ecr_ohm_m2", "standard_deviation", &s, "mean_95", &ends),
-                     0);
-    assert_int_equal(json_unpack(ends, "[F, F]", &low, &high), 0);
     double square = pow(0.54, 2) + pow(1.3 * log(2.5 / waves), 2) + s * s;
-    assert_near(log(high / low) / 2, interval_quantile(0.95, 4 * pow(square / (s * s), 2)) * sqrt(square), 1e-9);
+    assert_near(width_of(place, "out", "strip") / 2,
+                interval_quantile(0.95, 4 * pow(square / (s * s), 2)) * sqrt(square), 1e-9);
 }
 
-/** Records of a long scan are of means of its heights, which scatter as its own do. */
+/** Records simulated from a long scan are of means over neighbouring heights, and scatter like those of all heights. */
 TEST_IN_DIRECTORY(long_scans_are_thinned)
 {
     enum { RECORD = 1 << 14, EACH = 3 };
@@ -328,34 +317,16 @@ TEST_IN_DIRECTORY(long_scans_are_thinned)
     for (size_t i = 0; i < EACH * RECORD; i++)
         mean_m[i / EACH] += height_m[i] / EACH;
     for (int thin = 0; thin < 2; thin++) {
-        struct text csv = {0};
-        text_add(&csv, "x [um],z [um]\n");
+        struct text *csv = support_text();
+        text_add(csv, "x [um],z [um]\n");
         for (size_t i = 0; i < (thin ? RECORD : EACH * RECORD); i++)
-            text_add(&csv, "%.1f,%.9f\n", (thin ? 1.5 : 0.5) * (double)i, (thin ? mean_m[i] : height_m[i]) * 1e6);
-        directory_write(place, "in/0.csv", text_string(&csv));
-        text_free(&csv);
+            text_add(csv, "%.1f,%.9f\n", (thin ? 1.5 : 0.5) * (double)i, (thin ? mean_m[i] : height_m[i]) * 1e6);
+        directory_write(place, "in/0.csv", text_string(csv));
         report(place, "out", "effects: [separation, electrical, uncertainty]\nmodels: [corrected-persson]\n",
                "{name: m, file: 0.csv}");
-        json_t *results = directory_json(place, "out/results.json");
-        assert_int_equal(json_unpack(json_array_get(json_object_get(results, "surfaces"), 0), "{s:{s:{s:{s:{s:F}}}}}",
-                                     "models", "corrected-persson", "at_middle_load", "ecr_ohm_m2",
-                                     "standard_deviation", &s[thin]),
-                         0);
+        s[thin] = of_resistance(place, "out", "corrected-persson", "standard_deviation");
     }
     assert_near(s[0], s[1], 1e-3);
-}
-
-/** Degrees of freedom of a surface's resistance in results.json, and the width of its interval (of ln). */
-static double degrees_of(const struct directory *place, const char *out, double *width)
-{
-    json_t *results = directory_json(place, filled("%s/results.json", out));
-    double degrees = NAN, low, high;
-    assert_int_equal(json_unpack(json_array_get(json_object_get(results, "surfaces"), 0),
-                                 "{s:{s:{s:{s:{s:F, s:[F, F]}}}}}", "models", "strip", "at_middle_load", "ecr_ohm_m2",
-                                 "degrees_of_freedom", &degrees, "mean_95", &low, &high),
-                     0);
-    *width = log(high / low);
-    return degrees;
 }
 
 /** Two rough bodies: scan i of one with scan i of the other, as many as both have; of one scan of either, records with
@@ -375,19 +346,18 @@ TEST_IN_DIRECTORY(two_rough_bodies)
         rough(place, filled("in/b%lu.csv", i), POINTS, 1, i + 11);
     }
     for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
-        double width;
         report(place, "out",
                filled("effects: [separation, electrical, uncertainty]\nmodels: [strip]\ncounterface: {surface: '%s'}\n",
                       cases[k].other),
                filled("{name: m, file: '%s'}", cases[k].own));
-        assert_near(degrees_of(place, "out", &width), cases[k].degrees, 0);
-        assert_true(width > 2 * 1.9 * 0.5 && width < 20);
+        assert_near(of_resistance(place, "out", "strip", "degrees_of_freedom"), cases[k].degrees, 0);
+        assert_true(width_of(place, "out", "strip") > 2 * 1.9 * 0.5 && width_of(place, "out", "strip") < 20);
         expect_in_file(place, "out/report.md", "(95\u00a0%: ");
     }
 }
 
-/** One scan whose quarters are alike, and one that is a hundred times as rough from its middle on: each quarter goes
- * through the strips alone, and their scatter is in the interval. */
+/** A scan with equal quarters, and one that is a hundred times as rough from its middle on: the quarters are solved
+ * alone, and their scatter widens the interval. */
 TEST_IN_DIRECTORY(a_scan_that_changes)
 {
     double width[2];
@@ -403,26 +373,25 @@ TEST_IN_DIRECTORY(a_scan_that_changes)
         pipeline_scan(place, "in/0.csv", height_m, 4 * POINTS);
         report(place, "out", "effects: [separation, electrical, uncertainty]\nmodels: [strip]\n",
                "{name: m, file: 0.csv}");
-        assert_near(degrees_of(place, "out", &width[k]), 4, 0);
+        assert_near(of_resistance(place, "out", "strip", "degrees_of_freedom"), 4, 0);
+        width[k] = width_of(place, "out", "strip");
     }
     assert_true(width[1] > 2 * width[0]);
 }
 
-/** 24 scans are solved whole; of more, and of longer ones, pieces: the answer stays of its kind. */
+/** Up to 24 scans are solved whole, more in pieces; all count in the degrees of freedom. */
 TEST_IN_DIRECTORY(many_scans)
 {
-    for (unsigned long i = 0; i < 26; i++) {
+    for (unsigned long i = 0; i < 26; i++)
         rough(place, filled("in/%02lu.csv", i), 64, 1, i + 1);
-    }
     for (int many = 0; many < 2; many++) {
-        double width;
         report(place, "out", "effects: [separation, electrical]\nmodels: [strip]\n",
                many ? "{name: m, file: '*.csv'}" : "{name: m, file: '[01]*.csv'}");
-        assert_near(degrees_of(place, "out", &width), many ? 23 : 19, 0);
+        assert_near(of_resistance(place, "out", "strip", "degrees_of_freedom"), many ? 23 : 19, 0);
     }
 }
 
-/** What is off is not computed: no band, no section, no letters, and nobody is called best. */
+/** Without `uncertainty` single scans have no bands, and nothing is said about significant differences. */
 TEST_IN_DIRECTORY(one_scan_each)
 {
     rough(place, "in/a.csv", POINTS, 1, 1);
@@ -455,60 +424,51 @@ TEST_IN_DIRECTORY(a_map_by_rows)
     expect_in_file(place, "out/report.md", "24 of them, evenly spaced, go through the models");
 }
 
-/* Scans that cannot be used, one of which is refused after another of its surface was added, leave no trace in numbers:
- * the surface is that of the others, and says so. */
+/* Scans that cannot be used change no number: the surface is that of the other scans, and the report says so. */
 TEST_IN_DIRECTORY(bad_scans_of_several)
 {
     static const char *const folders[] = {"good", "bad"};
-    struct run_outcome good, bad;
     for (int f = 0; f < 2; f++) {
-        for (unsigned s = 0; s < 3; s++) {
+        for (unsigned s = 0; s < 3; s++)
             rough(place, filled("%s/%c.csv", folders[f], "ace"[s]), POINTS, 1, 7 + s);
-        }
         write_scene(place, folders[f], listed, "{name: s, file: [\"*.csv\"]}");
     }
     directory_write(place, "bad/b.csv", "x [um],z [um]\n0,1\n1,oops\n2,3\n");
     directory_write(place, "bad/d.csv", "x [um],z [um]\n0,1\n1,0.5\n2,0.7\n"); /* refused for its spectrum */
-    pipeline_outcome(&good, place, "good", "out-good", 2);
-    assert_int_equal(good.left_out, 0);
-    pipeline_outcome(&bad, place, "bad", "out-bad", 2);
-    assert_int_equal(bad.left_out, 2);
-    assert_int_equal(bad.refused, 0);
+    assert_int_equal(pipeline_outcome(place, "good", "out-good", (struct run_options){.jobs = 2})->left_out, 0);
+    const struct run_outcome *bad = pipeline_outcome(place, "bad", "out-bad", (struct run_options){.jobs = 2});
+    assert_int_equal(bad->left_out, 2);
+    assert_int_equal(bad->refused, 0);
     directory_expect_same(place, "out-good/data/contact.csv", "out-bad/data/contact.csv");
     directory_expect_same(place, "out-good/data/spread.csv", "out-bad/data/spread.csv");
     expect_parts(
-        text_string(&bad.messages),
+        text_string(&bad->messages),
         "surface 's': b.csv:3: 'oops' in a column of numbers; correct or remove this line - refused; 3 of its 5 scans "
         "are used\n",
         "surface 's': d.csv: 3 points carry no spectrum; at least 11 are needed: take a longer scan, or leave it out - "
         "refused; 3 of its 5 scans are used\n");
     expect_in_file(place, "out-bad/report.md", "2 of 5 files were not used", "at least 11 are needed");
-    run_outcome_free(&good);
-    run_outcome_free(&bad);
 }
 
-/* A surface of too short a scan is none, and leads nothing; the shortest that is taken has 11 points. */
+/* A surface whose only scan is too short is refused; the shortest scan that is accepted has 11 points. */
 TEST_IN_DIRECTORY(too_short_to_lead)
 {
-    struct run_outcome outcome;
     rough(place, "in/long.csv", POINTS, 1, 3);
     static const double height_m[] = {0, 3e-7, 1e-7, 4e-7, -2e-7, 2e-7, 5e-7, -1e-7, 1e-7, 3e-7, -3e-7};
     pipeline_scan(place, "in/eleven.csv", height_m, 11);
     pipeline_scan(place, "in/ten.csv", height_m, 10);
     write_scene(place, "in", listed,
                 "{name: ten, file: ten.csv}, {name: eleven, file: eleven.csv}, {name: long, file: long.csv}");
-    pipeline_outcome(&outcome, place, "in", "out", 2);
-    assert_int_equal(outcome.left_out, 0);
-    assert_int_equal(outcome.refused, 1);
-    expect_parts(text_string(&outcome.messages), "surface 'ten' refused: ten.csv: 10 points carry no spectrum");
-    run_outcome_free(&outcome);
+    const struct run_outcome *outcome = pipeline_outcome(place, "in", "out", (struct run_options){.jobs = 2});
+    assert_int_equal(outcome->left_out, 0);
+    assert_int_equal(outcome->refused, 1);
+    expect_parts(text_string(&outcome->messages), "surface 'ten' refused: ten.csv: 10 points carry no spectrum");
 }
 
-/* Scans of one surface that have nothing in common, as um read as mm or a factor too many: a number that cannot be had
- * is empty, with its reason, and the report is made. */
+/* Scans of one surface without common wavelengths, such as um read as mm: numbers that cannot be computed are empty,
+ * with the reason, and the report is written. */
 TEST_IN_DIRECTORY(scans_that_have_nothing_in_common)
 {
-    struct run_outcome outcome;
     struct text *csv = support_text();
     rough(place, "in/a.csv", POINTS, 1, 3);
     rough(place, "in/b.csv", POINTS, 1, 4);
@@ -521,11 +481,10 @@ TEST_IN_DIRECTORY(scans_that_have_nothing_in_common)
                     "material: tin\nmodels: [multiscale, corrected-persson]\nfit: thesis\n"
                     "surfaces: [{name: s, file: [a.csv, mm.csv]}, "
                     "{name: t, file: [b.csv, c.csv]}]\n");
-    pipeline_outcome(&outcome, place, "in", "out", 2);
-    assert_int_equal(outcome.left_out, 0);
-    expect_parts(text_string(&outcome.messages), "surface 's': no power law: fewer than 3 harmonics",
+    const struct run_outcome *outcome = pipeline_outcome(place, "in", "out", (struct run_options){.jobs = 2});
+    assert_int_equal(outcome->left_out, 0);
+    expect_parts(text_string(&outcome->messages), "surface 's': no power law: fewer than 3 harmonics",
                  "surface 's': Gaussian heights has no solution for 1 of the scans run alone");
     struct table surfaces = directory_table(place, "out/data/surfaces.csv");
     assert_string_equal(table_text(&surfaces, 0, "fit_high_m"), "");
-    run_outcome_free(&outcome);
 }

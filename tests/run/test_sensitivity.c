@@ -10,6 +10,7 @@
 
 enum { POINTS = 400, LOADS = 9 };
 static const double spacing_m = 5e-7;
+static const char *const columns[2][2] = {{"area_factor", "area_ratio"}, {"ecr_factor", "ecr_ohm_m2"}};
 
 /** A scan in all digits. */
 static void write_scan(const struct directory *place, const char *name, const double *height_m, size_t points)
@@ -21,25 +22,13 @@ static void write_scan(const struct directory *place, const char *name, const do
     directory_write(place, name, text_string(csv));
 }
 
-static void write_scene(const struct directory *place, const char *in, const char *more)
+static void run_scene(const struct directory *place, const char *in, const char *more)
 {
-    directory_write(
-        place, filled("%s/scene.yaml", in),
-        filled("models: [multiscale, statistical, corrected-persson, strip, cmy]\n"
-               "effects: [plasticity, electrical]\nlevel: line\nwindow: none\nload: {from: 1e-6, to: 1e-2, points: "
-               "%d}\noperating_load: 1e-4\n%s",
-               LOADS, more));
-}
-
-static int place_setup(void **state)
-{
-    static struct directory place;
-    static const char *const folders[] = {"in", "smooth", "first", "second", "harder", "wave", "whole"};
-    place = directory_make();
-    for (size_t i = 0; i < sizeof folders / sizeof *folders; i++)
-        mkdir(directory_path(&place, folders[i]), 0777);
-    *state = &place;
-    return 0;
+    pipeline_report(place, in, filled("out-%s", in),
+                    filled("models: [multiscale, statistical, corrected-persson, strip, cmy]\n"
+                           "effects: [plasticity, electrical]\nlevel: line\nwindow: none\n"
+                           "load: {from: 1e-6, to: 1e-2, points: %d}\noperating_load: 1e-4\n%s",
+                           LOADS, more));
 }
 
 static void level(double *height_m, size_t points)
@@ -51,7 +40,7 @@ static void level(double *height_m, size_t points)
 /** Value at the middle load of a model in a report of one surface; NaN: no row or an empty cell. */
 static double at_middle(const struct directory *place, const char *out, const char *model, const char *column)
 {
-    struct table table = table_read_path(directory_path(place, filled("%s/data/contact.csv", out)));
+    struct table table = directory_table(place, filled("%s/data/contact.csv", out));
     double value = NAN;
     size_t index = 0;
     for (size_t row = 0; row < table.rows; row++) {
@@ -71,8 +60,8 @@ static void assert_factor(const struct table *table, size_t row, const char *col
         assert_near(table_number(table, row, column), expected, 1e-9);
 }
 
-/** Every model and change against reports of the low-passed scan, of its halves and of a harder metal; strips stay
- * those of the scan as it is. */
+/** Every model and change against reports on the low-passed scan, its halves, and a harder metal. Strips are not
+ * compared: they stay those of the unchanged scan. */
 TEST_IN_PLACE(factors_are_those_of_separate_reports)
 {
     struct synth_def def = synth_def_default();
@@ -94,22 +83,17 @@ TEST_IN_PLACE(factors_are_those_of_separate_reports)
     write_scan(place, "first/a.csv", z, POINTS / 2);
     write_scan(place, "second/a.csv", z + POINTS / 2, POINTS / 2);
     static const char *const folders[] = {"in", "smooth", "first", "second", "harder"};
-    char out[5][32];
-    for (int f = 0; f < 5; f++) {
-        snprintf(out[f], sizeof out[f], "out-%s", folders[f]);
-        write_scene(place, folders[f], f < 4 ? METAL("1.4e7") : METAL("1.54e7"));
-        assert_int_equal(pipeline_run(place, folders[f], out[f], 1), 0);
-    }
-    struct table table = table_read_path(directory_path(place, "out-in/data/sensitivity.csv"));
+    for (int f = 0; f < 5; f++)
+        run_scene(place, folders[f], f < 4 ? METAL("1.4e7") : METAL("1.54e7"));
+    struct table table = directory_table(place, "out-in/data/sensitivity.csv");
     assert_int_equal(table.columns, 5);
     size_t compared = 0;
     for (size_t row = 0; row < table.rows; row++) {
         const char *model = table_text(&table, row, "model"), *change = table_text(&table, row, "change");
-        static const char *const columns[2][2] = {{"area_factor", "area_ratio"}, {"ecr_factor", "ecr_ohm_m2"}};
         for (int c = 0; c < 2; c++) {
             double value[5];
             for (int f = 0; f < 5; f++)
-                value[f] = at_middle(place, out[f], model, columns[c][1]);
+                value[f] = at_middle(place, filled("out-%s", folders[f]), model, columns[c][1]);
             bool cutoff = strcmp(change, "cut-off x2") == 0;
             bool halved = strcmp(change, "scan /2") == 0;
             assert_true(cutoff || halved || strcmp(change, "hardness x1.1") == 0);
@@ -134,20 +118,16 @@ TEST_IN_PLACE(factors_are_those_of_separate_reports)
 static void make_report(const struct directory *place, const char *in, const char *how, const double *height_m,
                         size_t points)
 {
-    char scene[400];
     write_scan(place, filled("%s/a.csv", in), height_m, points);
-    snprintf(
-        scene, sizeof scene,
-        "models: [multiscale, corrected-persson, cmy]\neffects: [plasticity, electrical]\n%s\nmoments: difference\n"
-        "load: {from: 1e-6, to: 1e-2, points: %d}\noperating_load: 1e-4\n" METAL("1.4e7"),
-        how, LOADS);
-    directory_write(place, filled("%s/scene.yaml", in), scene);
-    assert_int_equal(pipeline_run(place, in, filled("out-%s", in), 1), 0);
+    pipeline_report(
+        place, in, filled("out-%s", in),
+        filled("models: [multiscale, corrected-persson, cmy]\neffects: [plasticity, electrical]\n%s\n"
+               "moments: difference\nload: {from: 1e-6, to: 1e-2, points: %d}\noperating_load: 1e-4\n" METAL("1.4e7"),
+               how, LOADS));
 }
 
-/** A scan that closes on itself keeps its window and levelling when its cut-off is doubled, and is smoothed around its
- * ends: here by a sum over the circle. Its halves do not close: they are held against the whole windowed as they are.
- */
+/** With a doubled cut-off a periodic scan keeps its window and levelling, and is smoothed around its ends (here by a
+ * sum over the circle). Its halves are not periodic, and are compared with the whole scan windowed as they are. */
 TEST_IN_PLACE(a_scan_that_closes_stays_closed)
 {
     struct synth_def def = synth_def_default();
@@ -173,11 +153,10 @@ TEST_IN_PLACE(a_scan_that_closes_stays_closed)
     make_report(place, "whole", "level: line\nwindow: hann", z, POINTS);
     make_report(place, "first", "level: line\nwindow: hann", z, POINTS / 2);
     make_report(place, "second", "level: line\nwindow: hann", z + POINTS / 2, POINTS / 2);
-    struct table table = table_read_path(directory_path(place, "out-in/data/sensitivity.csv"));
+    struct table table = directory_table(place, "out-in/data/sensitivity.csv");
     size_t compared = 0;
     for (size_t row = 0; row < table.rows; row++) {
         const char *model = table_text(&table, row, "model"), *change = table_text(&table, row, "change");
-        static const char *const columns[2][2] = {{"area_factor", "area_ratio"}, {"ecr_factor", "ecr_ohm_m2"}};
         for (int c = 0; c < 2; c++) {
             double is = at_middle(place, "out-in", model, columns[c][1]),
                    smoothed = at_middle(place, "out-smooth", model, columns[c][1]),
@@ -197,8 +176,8 @@ TEST_IN_PLACE(a_scan_that_closes_stays_closed)
     assert_int_equal(compared, 20);
 }
 
-/** Waves far longer than the cut-off: doubling it changes nothing. Two equal halves: nor does halving, where the answer
- * does not depend on length (the corrected Persson theory's area). */
+/** With waves far longer than the cut-off, doubling it changes nothing. With two equal halves, halving changes nothing
+ * if the answer does not depend on length (the corrected Persson theory's area). */
 TEST_IN_PLACE(smooth_waves_do_not_change)
 {
     double z[POINTS];
@@ -206,9 +185,8 @@ TEST_IN_PLACE(smooth_waves_do_not_change)
         z[i] = 1e-7 * cos(2 * M_PI * 4 * ((double)i + 0.5) / POINTS) +
                2e-8 * cos(2 * M_PI * 10 * ((double)i + 0.5) / POINTS);
     write_scan(place, "wave/a.csv", z, POINTS);
-    write_scene(place, "wave", "material: tin\n");
-    assert_int_equal(pipeline_run(place, "wave", "out-wave", 1), 0);
-    struct table table = table_read_path(directory_path(place, "out-wave/data/sensitivity.csv"));
+    run_scene(place, "wave", "material: tin\n");
+    struct table table = directory_table(place, "out-wave/data/sensitivity.csv");
     size_t seen = 0;
     for (size_t row = 0; row < table.rows; row++) {
         const char *model = table_text(&table, row, "model");
@@ -224,15 +202,15 @@ TEST_IN_PLACE(smooth_waves_do_not_change)
     assert_true(seen > 6);
 }
 
-/** Fewer than 16 points are not halved: cells without a number, and no section. */
+/** Fewer than 16 points are not halved: cells are empty, and there is no section. */
 TEST_IN_PLACE(a_short_scan_says_nothing)
 {
     double z[15];
     for (size_t i = 0; i < 15; i++)
         z[i] = 1e-7 * sin(2.4 * (double)i) + 3e-8 * cos(5.1 * (double)i);
     write_scan(place, "wave/a.csv", z, 15);
-    assert_int_equal(pipeline_run(place, "wave", "out-wave", 1), 0);
-    struct table table = table_read_path(directory_path(place, "out-wave/data/sensitivity.csv"));
+    run_scene(place, "wave", "material: tin\n");
+    struct table table = directory_table(place, "out-wave/data/sensitivity.csv");
     assert_true(table.rows > 0);
     for (size_t row = 0; row < table.rows; row++)
         assert_string_equal(table_text(&table, row, "area_factor"), "");
@@ -240,4 +218,4 @@ TEST_IN_PLACE(a_short_scan_says_nothing)
     assert_null(strstr(view, "length_factor"));
 }
 
-TEST_GROUP(place_setup, directory_teardown)
+TEST_GROUP(directory_setup, directory_teardown)

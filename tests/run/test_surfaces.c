@@ -15,19 +15,7 @@ static void write_map(const struct directory *place, const char *name, const dou
     directory_write(place, name, text_string(grid));
 }
 
-/* The scene in place/in. */
-static void scene(const struct directory *place, const char *more, const char *surfaces)
-{
-    struct text *text = support_text();
-    text_add(text,
-             "material: tin\neffects: [separation, electrical]\nload: {from: 1e-6, to: 1e-2, points: 9}\n%ssurfaces: "
-             "[%s]\n",
-             more, surfaces);
-    directory_write(place, "in/scene.yaml", text_string(text));
-}
-
-/** Columns of a turned map are the rows of the map; they tell no interval, for they are
- * not independent. */
+/** Columns of a turned map are the rows of the map. They have no interval, as they are not independent. */
 TEST_IN_DIRECTORY(a_map_is_its_rows)
 {
     enum { NX = 64, NY = 12 };
@@ -40,10 +28,11 @@ TEST_IN_DIRECTORY(a_map_is_its_rows)
         }
     write_map(place, "in/map.grd", map, NX, NY);
     write_map(place, "in/turned.grd", turned, NY, NX);
-    scene(place, "direction: x\n", "{name: m, file: map.grd, x_unit: m, z_unit: m}");
-    assert_int_equal(pipeline_run(place, "in", "rows", 1), 0);
-    scene(place, "direction: y\n", "{name: m, file: turned.grd, x_unit: m, z_unit: m}");
-    assert_int_equal(pipeline_run(place, "in", "columns", 1), 0);
+    static const char scene[] = "material: tin\neffects: [separation, electrical]\ndirection: %s\n"
+                                "load: {from: 1e-6, to: 1e-2, points: 9}\n"
+                                "surfaces: [{name: m, file: %s.grd, x_unit: m, z_unit: m}]\n";
+    pipeline_report(place, "in", "rows", filled(scene, "x", "map"));
+    pipeline_report(place, "in", "columns", filled(scene, "y", "turned"));
     directory_expect_same(place, "rows/data/contact.csv", "columns/data/contact.csv");
     directory_expect_same(place, "rows/data/spectrum.csv", "columns/data/spectrum.csv");
     assert_false(directory_has(place, "rows/data/spread.csv") || directory_has(place, "rows/data/bands.csv"));
@@ -55,12 +44,9 @@ TEST_IN_DIRECTORY(a_map_is_its_rows)
 TEST_IN_DIRECTORY(two_rough_bodies_add_their_squares)
 {
     pipeline_rough(place, "in/a.csv", 200, 1, 1);
-    directory_write(place, "in/scene.yaml", "material: tin\neffects: [electrical]\n");
-    assert_int_equal(pipeline_run(place, "in", "smooth", 1), 0);
+    pipeline_report(place, "in", "smooth", "material: tin\neffects: [electrical]\n");
     pipeline_rough(place, "in/other.csv", 200, 1, 1);
-    directory_write(place, "in/scene.yaml",
-                    "material: tin\neffects: [electrical]\ncounterface: {surface: other.csv}\n");
-    assert_int_equal(pipeline_run(place, "in", "rough", 1), 0);
+    pipeline_report(place, "in", "rough", "material: tin\neffects: [electrical]\ncounterface: {surface: other.csv}\n");
     struct table smooth = directory_table(place, "smooth/data/spectrum.csv");
     struct table rough = directory_table(place, "rough/data/spectrum.csv");
     assert_int_equal(smooth.rows, rough.rows); /* one surface each */
@@ -72,10 +58,10 @@ TEST_IN_DIRECTORY(two_rough_bodies_add_their_squares)
         strips += strcmp(table_text(&contact, i, "model"), "strip") == 0;
     assert_true(strips > 50);
     expect_in_file(place, "rough/report.md", "rough counterface");
-    struct run_outcome outcome;
+    struct status status = {0};
     directory_write(place, "in/other.csv", "no numbers\n");
-    expect_fails(STATUS_SCENE, "the counterface cannot be read: other.csv", pipeline_into, &outcome, place, "in",
-                 "none", (struct run_options){0});
-    run_outcome_free(&outcome);
+    pipeline_into(place, "in", "none", (struct run_options){0}, &status);
+    assert_int_equal(status.code, STATUS_SCENE);
+    expect_parts(status.message, "the counterface cannot be read: other.csv");
     assert_false(directory_has(place, "none"));
 }

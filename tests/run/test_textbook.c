@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The textbook's contact as a reader of the report makes it again, from the sigma, m and H that stand beside it. */
+/* The textbook's contact recomputed, as a reader could, from the sigma, m and H printed beside it. */
 #include "run/pipeline.h"
 
 #include <gsl/gsl_cdf.h>
@@ -44,32 +44,24 @@ static void write_map(const struct directory *place, const char *name, double st
 
 static void report(const struct directory *place, const char *out, const char *file, const char *load)
 {
-    directory_write(place, "in/scene.yaml",
+    pipeline_report(place, "in", out,
                     filled("material: {Sy: 14 MPa, E: 40 GPa, nu: 0.3, resistivity: 1e-7 ohm m, "
                            "conductivity: 60 W/m/K}\nhardness: 40 MPa\nnominal_area: 1 mm2\nload: {from: 0.01 N, to: "
                            "30 N, points: 7}\noperating_load: %s\neffects: [plasticity, separation, electrical, "
                            "thermal]\nmodels: [corrected-persson, cmy]\nsurfaces: [{name: s, file: \"%s\"}]\n",
                            load, file));
-    assert_int_equal(pipeline_run(place, "in", out, 1), 0);
-}
-
-static json_t *surface_of(const struct directory *place, const char *out)
-{
-    const json_t *results = directory_json(place, filled("%s/results.json", out));
-    return json_array_get(json_object_get(results, "surfaces"), 0);
 }
 
 static double number(const struct directory *place, const char *out, const char *key)
 {
-    return json_number_value(json_object_get(surface_of(place, out), key));
+    return pipeline_number(place, out, filled("surfaces/0/%s", key));
 }
 
-/** Every row of CMY is the closed form of the printed sigma and m; m is the levelled profile's, of a lay kappa times.
- */
+/** Every row of CMY follows from the printed sigma and m; m is the levelled profile's, times kappa with a lay. */
 static void expect_textbook(const struct directory *place, const char *out)
 {
     const double sigma_m = number(place, out, "sigma_m"), slope = number(place, out, "mean_slope");
-    const double kappa = json_number_value(json_object_get(json_object_get(surface_of(place, out), "lay"), "kappa"));
+    const double kappa = number(place, out, "lay/kappa");
     struct table table = directory_table(place, filled("%s/data/contact.csv", out));
     size_t rows = 0;
     assert_near(slope, kappa * sqrt(2 * number(place, out, "m2") / M_PI), 1e-12);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Only what the scene calls for is computed: what is off takes no evaluation, what is on takes its own, and `auto`
- * leaves out what cannot change a number. */
+/* Only what the scene calls for is computed: an effect that is off costs nothing, one that is on only its own
+ * evaluations, and `auto` leaves out what cannot change a number. */
 #include "pipeline.h"
 #include "results/results.h"
 
@@ -78,7 +78,7 @@ TEST_CASE(each_effect_removes_its_own_work)
     assert_memory_equal(&less, &electrical, sizeof less);
 }
 
-/** What all families take is what each takes alone. */
+/** All families together cost the sum of each alone. */
 TEST_CASE(families_remove_their_own_work)
 {
     static const char *const families[] = {"multiscale", "statistical", "corrected-persson", "strip", "cmy"};
@@ -112,7 +112,7 @@ TEST_CASE(auto_skips_what_cannot_matter)
     assert_true(work_of(FILES "effects: auto\n").plasticity > 0);
 }
 
-/** Also where the baseline is sought for its loads, and where one surface calls for an effect that another does not. */
+/** Each surface is read once, also if the baseline is needed for the loads, and effects differ between surfaces. */
 TEST_CASE(a_surface_is_described_once)
 {
     described = 0;
@@ -122,7 +122,7 @@ TEST_CASE(a_surface_is_described_once)
     assert_int_equal(described, 3);
 }
 
-/** Decided surface by surface: what is skipped on one has that one's elastic numbers, and the other its own. */
+/** A hard surface has the elastic numbers, a soft one in the same report its own. */
 TEST_CASE(effects_are_a_surfaces_own)
 {
     work_of("surfaces: [{name: hard, file: a.csv, material: {E: 1 GPa, nu: 0.3, Sy: 1000 GPa}}, {name: soft, file: "
