@@ -32,6 +32,14 @@ void model_support_spots(struct contact_spots *spots, const char *model, const s
     expect_ok(row->spots, spots, row, task);
 }
 
+void model_support_matches(const struct contact_point *point, const struct table *table, size_t row, double rtol)
+{
+    static const enum quantity compared[] = {QUANTITY_LOAD, QUANTITY_AREA, QUANTITY_ECR, QUANTITY_TCR,
+                                             QUANTITY_TCR_SCALE_DEPENDENT};
+    for (size_t q = 0; q < sizeof compared / sizeof *compared; q++)
+        assert_near(point->value[compared[q]], table_number(table, row, quantity_rows[compared[q]].name), rtol);
+}
+
 void model_support_loads(double *load, size_t count, double from, double to)
 {
     for (size_t i = 0; i < count; i++)

@@ -25,6 +25,9 @@ struct model_task model_support_task(const struct spectrum *spectrum, const stru
 /** The spots that a model has at the loads of the task, one of `spots` a load. */
 void model_support_spots(struct contact_spots *spots, const char *model, const struct model_task *task);
 
+/** Fails unless load, area and resistances are those of a row of a reference table. */
+void model_support_matches(const struct contact_point *point, const struct table *table, size_t row, double rtol);
+
 /** Loads by equal factors. */
 void model_support_loads(double *load, size_t count, double from, double to);
 

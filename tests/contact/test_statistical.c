@@ -29,11 +29,7 @@ TEST_CASE(matches_reference)
                  law_of(table_text(&table, i, "model")), allowed, d);
         struct contact_point point;
         statistical_at(&point, &model, d);
-        assert_near(point.value[QUANTITY_AREA], table_number(&table, i, "area_ratio"), allowed);
-        assert_near(point.value[QUANTITY_LOAD], table_number(&table, i, "load_over_AnEp"), allowed);
-        assert_near(point.value[QUANTITY_ECR], table_number(&table, i, "ecr_ohm_m2"), allowed);
-        assert_near(point.value[QUANTITY_TCR], table_number(&table, i, "tcr_K_m2_per_W"), allowed);
-        assert_near(point.value[QUANTITY_TCR_SCALE_DEPENDENT], table_number(&table, i, "tcr_sd_K_m2_per_W"), allowed);
+        model_support_matches(&point, &table, i, allowed);
         assert_near(point.value[QUANTITY_SEPARATION] / model.surface.sigma_m,
                     table_number(&table, i, "separation_over_sigma"), 1e-10);
     }
