@@ -2,7 +2,7 @@
 # Everything the program stands on, all of it from Debian's packages (listed in .ci/packages).
 find_package(PkgConfig REQUIRED)
 find_package(Threads REQUIRED)
-pkg_check_modules(fftw REQUIRED IMPORTED_TARGET fftw3)
+pkg_check_modules(fftw REQUIRED IMPORTED_TARGET fftw3 fftw3f)
 pkg_check_modules(gsl REQUIRED IMPORTED_TARGET gsl)
 pkg_check_modules(yaml REQUIRED IMPORTED_TARGET yaml-0.1)
 pkg_check_modules(jansson REQUIRED IMPORTED_TARGET jansson)
@@ -16,7 +16,7 @@ set(numerical PkgConfig::fftw PkgConfig::gsl PkgConfig::jansson PkgConfig::nettl
 # Their archives, one that needs another before it, for targets of the property TAKES_ARCHIVES: the program, which starts
 # in half the time. Not those of expat, libyaml and zlib, which Debian wants shared (lintian's embedded-library).
 option(ROUGHCONTACT_ARCHIVES "link the program with the archives of FFTW, GSL, jansson and Nettle, where there are any" ON)
-foreach(name IN ITEMS fftw3 gsl gslcblas jansson nettle)
+foreach(name IN ITEMS fftw3 fftw3f gsl gslcblas jansson nettle)
     find_library(archive_${name} lib${name}.a)
     mark_as_advanced(archive_${name})
     list(APPEND archives ${archive_${name}})

@@ -182,6 +182,19 @@ static enum status_code solve_strips(struct surface_record *record, const struct
     return rc;
 }
 
+/** What the low-pass of a map has changed; where all spots yield, say, not the area. */
+static void note_low_pass(struct note_list *notes, const double changed[3])
+{
+    static const char *const names[] = {"area by about", "gap by", "resistance by"};
+    struct text told = {0};
+    for (int q = 0; q < 3; q++)
+        if (isfinite(changed[q]) && fabs(expm1(changed[q])) >= 5e-4)
+            text_add(&told, "\n%s %s %+.2g", told.length > 0 ? "others" : "first", names[q], 100 * expm1(changed[q]));
+    if (told.length > 0)
+        note_add(notes, NULL, "note.low_pass%s", text_string(&told));
+    text_free(&told);
+}
+
 /** Solves the map that running models use. Where it has no answer these are taken out of the plan. */
 static enum status_code solve_tiles(struct surface_record *record, struct plan *plan, const struct threads *threads,
                                     struct status *status)
@@ -198,10 +211,8 @@ static enum status_code solve_tiles(struct surface_record *record, struct plan *
     summary->has_tiles = tiles->transfer != NULL;
     summary->tile_transforms = tiles->transforms;
     summary->times.tiles = clock_seconds() - started;
-    const double *changed = tiles->low_pass;
-    if (summary->has_tiles && tiles->def.cutoff > 0 && isfinite(changed[0] + changed[1] + changed[2]))
-        note_add(&summary->notes, NULL, "note.low_pass\narea %+.2g\ngap %+.2g\nresistance %+.2g",
-                 100 * expm1(changed[0]), 100 * expm1(changed[1]), 100 * expm1(changed[2]));
+    if (summary->has_tiles && tiles->def.cutoff > 0)
+        note_low_pass(&summary->notes, tiles->low_pass);
     if (summary->has_tiles)
         return STATUS_OK;
     summary->tile_cost = 0; /* more of it would not help */

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/costs.h"
 
-/* CPU of `report -v -j 1 --no-cost -m tin`, as measured beside other work, but that profile_point_s gives 10^7 points
- * the 16 s that they take on a quiet machine; to measure again where a solver changes. */
+/* Processor time of `report -v -j 1 --no-cost -m tin`, measured beside other work; but profile_point_s is of 10^7
+ * points on a quiet machine, 16 s. Measure again where a solver changes. */
 const struct costs costs = {
     .report_s = 0.25,           /* a scan of 1000 points, gnuplot's too */
     .surface_s = 1e-3,          /* 100 surfaces of 1000 points less one, without strips */
@@ -10,8 +10,8 @@ const struct costs costs = {
     .map_point_s = 0.4e-6,      /* `plan` of 1024 x 1024 points */
     .load_s = 3e-6,             /* 10 000 loads less 1000 */
     .transform_s = 12e-9,       /* stage `strips` of 10^4 and 10^5 points, over the evaluations of `area` */
-    /* pairs of transforms of squares of 64 to 512 points a side, 270 side^(1/3), of which 125 without a hardness, and
-     * the stage `direct of maps` over them and their points: 1.6 transform_s */
+    /* squares of 64 to 512 points a side take 270 side^(1/3) pairs of transforms, 125 of them without a hardness; the
+     * stage `direct of maps` takes 1.6 transform_s for each of their points */
     .map_transforms_elastic = 200,
     .map_transforms = 232,
     .map_power = 1. / 3,

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the parts of a report take, roughly, on one core of 2020: for plans, budgets and what is too dear to solve. A
- * report prints what it took. */
+/* Rough times of the parts of a report on one core of 2020: for plans, budgets, and what is too dear to solve. */
 #ifndef BASE_COSTS_H
 #define BASE_COSTS_H
 

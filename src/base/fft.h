@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Fourier transforms by FFTW, whose planner is the one part of it that threads have to take turns at. */
+/* Fourier transforms by FFTW, whose planner only one thread may use at a time. */
 #ifndef BASE_FFT_H
 #define BASE_FFT_H
 
@@ -8,12 +8,12 @@
 #include <fftw3.h>
 #include <stddef.h>
 
-/** Does work(context), which makes plans, with no other thread at it. */
+/** Does work(context), which makes plans, while no other thread does. */
 void fft_plan(void (*work)(void *context), void *context);
 /** NULL does nothing. */
 void fft_plan_free(fftw_plan plan);
 
-/** A record and its transform, of which one holds at a time: those of a large record share their place. */
+/** A record and its transform. Only one is valid at a time: of large records they share their memory. */
 struct fft_room {
     double *record;          /* n heights */
     fftw_complex *transform; /* n/2 + 1 */
@@ -23,8 +23,7 @@ struct fft_room {
 MUST_CHECK bool fft_room_make(struct fft_room *out, size_t n);
 void fft_room_free(struct fft_room *room);
 
-/** The largest number up to `most` without prime factors above `factor`: transforms of others take several times as
- * long. */
+/** The largest number up to `most` without prime factors above `factor`: other sizes take several times as long. */
 size_t fft_quick(size_t most, size_t factor);
 
 /** out[k] = sum in[j] exp(-2 pi i jk/n), k = 0 ... n/2. Both arrays from fftw_alloc or fft_room_make(), those of

@@ -1,14 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a file may ask of the program at most, so that nothing from outside exhausts memory or time: one table, used by
- * the code, stated in docs/limits.md. */
+/* Upper limits, so that no input exhausts memory or time: one table, used by the code and listed in docs/limits.md. */
 #ifndef BASE_LIMITS_H
 #define BASE_LIMITS_H
 
 #include <stddef.h>
 #include <stdio.h>
 
-/* Name in the code, value, unit, name as printed, what it bounds, what to do where it is passed. Beyond each the file
- * is refused. */
+/* Name in the code, value, unit, name as printed, what is counted, what to do where there is more: it is refused. */
 #define LIMITS(X)                                                                                                      \
     X(FILES, 1000000, "files", "files", "entries of one directory that is listed",                                     \
       "spread them over several directories")                                                                          \
@@ -59,7 +57,7 @@ enum limit {
 
 struct limit_row {
     const char *name;    /* as printed, one word */
-    size_t most;         /* allowed; beyond, the file is refused */
+    size_t most;         /* allowed */
     const char *unit;    /* of `most` */
     const char *meaning; /* what is counted */
     const char *remedy;  /* what to do where there is more */
@@ -67,19 +65,18 @@ struct limit_row {
 
 extern const struct limit_row limit_rows[LIMIT_COUNT];
 
-/** How much of it is allowed. */
 static inline size_t limit_most(enum limit limit)
 {
     return limit_rows[limit].most;
 }
 
-/** Bytes that so many may unpack to, by LIMIT_UNPACKED_RATIO: what makes more of them is no measurement. */
+/** Bytes that `packed` bytes may unpack to, by LIMIT_UNPACKED_RATIO: no measurement makes more. */
 static inline size_t limit_unpacked(size_t packed)
 {
     return (4 << 20) + packed * limit_most(LIMIT_UNPACKED_RATIO);
 }
 
-/** How a message ends that said how much there is: "; at most 1000 files: unpack it, or split it". */
+/** The end of a message about a limit: "; at most 1000 files: unpack it, or split it". */
 struct limit_words {
     char text[160];
 };

@@ -7,8 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A template is cut into tokens first, as only a whole line tells whether a tag stands alone on it; then the tokens are
- * walked over, a section's as often as it has items. */
+/* A template is cut into tokens first, since only a whole line shows whether a tag stands alone on it; then the tokens
+ * are rendered, those of a section once for each item. */
 
 enum { DEPTH_MOST = 64, NAME_MOST = 200 };
 
@@ -36,18 +36,18 @@ struct render {
     const char *name;                /* of the whole */
     const json_t *stack[DEPTH_MOST]; /* what names are looked up in, the last first */
     size_t depth, partials;
-    size_t steps; /* how much was done: tokens, objects that were looked into */
-    size_t open;  /* bytes of the templates that are open within one another */
+    size_t steps; /* tokens rendered and objects looked into */
+    size_t open;  /* bytes of the templates nested at the moment */
 };
 
-/** How much of a tag a message shows, which is one line. */
+/** Bytes of a tag that a one-line message shows. */
 static int first_line(const char *tag, size_t length)
 {
     size_t line = strcspn(tag, "\r\n");
     return (int)(line < length ? line : length);
 }
 
-/** `at`: where in the template; shown: what of it the message quotes. */
+/** `at`: where in the template; `shown`: what the message quotes. */
 static enum status_code fail(const struct tokens *tokens, const char *at, const char *what, const struct token *shown,
                              struct status *status)
 {
@@ -159,7 +159,7 @@ static enum status_code tokenize(struct tokens *out, struct status *status)
     return STATUS_OK;
 }
 
-/** What a name stands for; NULL: nothing. The first part of a.b.c is looked up in all that is open, the rest in it. */
+/** The value of a name; NULL: none. The first part of a.b.c is looked up in all open sections. */
 static const json_t *look_up(struct render *render, const char *start, size_t length)
 {
     const char *dot = memchr(start, '.', length), *end = start + length;

@@ -9,34 +9,32 @@
 /** How a template is filled. */
 struct mustache {
     const json_t *view;
-    /** Adds what a {{variable}} holds for the target: HTML, Markdown, gnuplot; NULL: as it is. */
+    /** Escapes the text of a {{variable}} for HTML, Markdown or gnuplot; NULL: as it is. */
     void (*escape)(struct text *out, const char *string);
-    /** The text of partial `name`, owned by the context; NULL: there is none, and it stands for nothing. */
+    /** The text of partial `name`, owned by the context; NULL: none, which adds nothing. */
     const char *(*partial)(void *context, const char *name);
     void *context;
 };
 
-/** Adds `source`, which messages call `name`, filled. Besides what the specification says, an empty text counts as
- * false, and {{name|3 um}} is a number of SI with three digits in that unit, of {least, most} both, of {value, error}
- * the one ± the other; {{name|4g}} is as printf has it. Errors: STATUS_USAGE with name and line (a tag that is not
- * closed, a section that does not end, partials without end), with name what passes LIMIT_TEMPLATE_BYTES,
- * LIMIT_TEMPLATE_STEPS or LIMIT_PAGE_BYTES; STATUS_MEMORY. */
+/** Adds `source`, called `name` in messages, filled in. Beyond the specification an empty text counts as false, and
+ * {{name|3 um}} shows an SI number with three digits in that unit, {least, most} as a range, {value, error} with ±;
+ * {{name|4g}} is printf's. Errors: STATUS_USAGE with name and line (a tag that is not closed, a section that does not
+ * end, endless partials) or with name (LIMIT_TEMPLATE_BYTES, LIMIT_TEMPLATE_STEPS, LIMIT_PAGE_BYTES); STATUS_MEMORY. */
 MUST_CHECK enum status_code mustache_render(struct text *out, const char *source, const char *name,
                                             const struct mustache *how, struct status *status);
 
-/** Partials and templates as files of a folder, read when they are first asked for. Owned: mustache_folder_free(). */
+/** Templates and partials that are files of a folder, read on first use. Owned: mustache_folder_free(). */
 struct mustache_folder {
     const char *path;
     const char *ending; /* ".md" */
     json_t *read;       /* name: text */
     struct status *status;
 };
-/** As mustache.partial, of a `struct mustache_folder`. Errors, in its status: STATUS_IO where the file is not there,
- * STATUS_USAGE where it is no text in UTF-8 or the name leads out of the folder. */
+/** A mustache.partial of a `struct mustache_folder`. Errors, in its status: STATUS_IO (no such file), STATUS_USAGE (no
+ * UTF-8, or a name that leads out of the folder). */
 const char *mustache_folder_partial(void *folder, const char *name);
 void mustache_folder_free(struct mustache_folder *folder);
-/** Adds the template `name` of a folder, filled, with the folder's files as partials. Errors: as mustache_render(),
- * STATUS_IO. */
+/** Adds the template `name` of a folder, whose files are its partials. Errors: mustache_render()'s, STATUS_IO. */
 MUST_CHECK enum status_code mustache_file(struct text *out, struct mustache_folder *folder, const char *name,
                                           const json_t *view, void (*escape)(struct text *out, const char *string));
 

@@ -20,7 +20,7 @@ static void add_power_of_ten(struct text *out, int exponent)
         text_add(out, "%s", superscripts[*digit - '0']);
 }
 
-/** Plain notation reads well for these decimal exponents, where it does not show digits that were not asked for. */
+/** Is plain notation easy to read, without showing more digits than asked for? */
 static bool reads_plain(int exponent, int digits)
 {
     return exponent >= -3 && exponent <= (digits < 5 && digits > 2 ? 3 : 4);
@@ -84,8 +84,7 @@ void number_format_range(struct text *out, double least_value, double most_value
 }
 
 /** 17 digits of `size` as an integer, and the decimal exponent of the first; 0 where rounding leaves the last one open.
- * Powers of ten up to 27 are exact in 64 bits, and each of four roundings errs by 2^-64, together by .022 of a digit.
- */
+ * Powers of ten up to 27 are exact in 64 bits; four roundings err by 2^-64 each, together by .022 of a digit. */
 static uint64_t digits_of(int *exponent, double size)
 {
     enum { EXACT = 27, REACH = 40 };

@@ -38,9 +38,8 @@ void program_stop(void)
     stop = true;
 }
 
-/** By vfork(), as posix_spawn() can do all of this but bind the child's life to ours. The child shares the memory of
- * its parent, of whose other threads any may hold a lock: system calls alone. Leaves in *error why it did not come to
- * run. */
+/** By vfork(), since posix_spawn() cannot kill the child with its parent. The child shares its parent's memory, where
+ * other threads may hold locks, so it makes system calls only. *error says why it did not run. */
 __attribute__((noinline)) static pid_t divide(const struct program_task *task, char *const *environment,
                                               volatile int *error)
 {

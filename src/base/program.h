@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Other programs: found in PATH, run without a shell, ended when they take too long or this one is asked to stop. */
+/* Runs other programs: found in PATH, without a shell, ended when they take too long or this program is to stop. */
 #ifndef BASE_PROGRAM_H
 #define BASE_PROGRAM_H
 
@@ -7,8 +7,7 @@
 #include <stddef.h>
 #include <sys/types.h>
 
-/** Writes the path of the program `name` to `out`, from the absolute elements of PATH only (a child may run in another
- * directory). Is there one? */
+/** Finds the program `name` in the absolute elements of PATH (a child may run in another directory). False: none. */
 bool program_find(char *out, size_t size, const char *name);
 
 /** How a program is started. */
@@ -19,20 +18,20 @@ struct program_task {
     int input, output;      /* descriptors, beyond 2, of its standard input and of both its outputs */
 };
 
-/** Starts it in a process group of its own, with the usual signals, and of the environment with PATH alone, as a user's
- * settings would change what it does. It is killed when the thread that started it ends before it. Returns 0 or the
- * errno that says why not (ECANCELED: it was asked to stop). To be ended by program_end(). */
+/** Starts it in a process group of its own, with default signals and only PATH of the environment, since a user's
+ * settings could change its output. It is killed when the thread that started it ends first. Returns 0 or an errno
+ * (ECANCELED: this program is to stop). End it with program_end(). */
 int program_start(pid_t *process, const struct program_task *task);
 
 enum program_state { PROGRAM_ENDED, PROGRAM_LATE, PROGRAM_STOPPED };
 
-/** Waits until it ends by itself, clock_seconds() passes `until`, or program_stop() was called. */
+/** Waits until it ends, clock_seconds() passes `until`, or program_stop() is called. */
 enum program_state program_wait(pid_t process, double until);
 
-/** Kills what still runs of it and of what it started, and returns how it ended, as waitpid() says. */
+/** Kills it and what it started if they still run. Returns how it ended, as waitpid() does. */
 int program_end(pid_t process);
 
-/** Asks every program that runs to stop, and those to come. */
+/** Makes every running program stop, and later ones not start. */
 void program_stop(void);
 
 #endif

@@ -22,28 +22,27 @@ enum status_code {
     STATUS_INTERRUPTED /* stopped by a signal */
 };
 
-/** The outcome of the last call that failed. Zero-initialise; a message is lower case, the problem first, then the
- * remedy, with the subject quoted and file and line where there is one. */
+/** The first failure. Zero-initialise. A message is lower case, the problem first, then the remedy, with the subject
+ * quoted and file and line where there is one. */
 struct status {
     enum status_code code;
     char message[1024];
 };
 
-/** Stores code and message in `status` and returns `code`, so that a caller can `return status_fail(...)`.
- * An error already stored is kept: the lower level knows best. */
+/** Stores code and message and returns the code. An error already stored is kept: the lower level knows best. */
 enum status_code status_fail(struct status *status, enum status_code code, const char *format, ...) PRINTF_LIKE(3, 4);
 
-/** Puts "`prefix`: " before the stored message (say, the file's name) and returns its code. */
+/** Puts "`prefix`: ", such as a file's name, before the stored message and returns its code. */
 enum status_code status_prefix(struct status *status, const char *format, ...) PRINTF_LIKE(2, 3);
 
-/** What errno says; of a file that the limits do not allow, which limit. */
+/** The text of an errno; for a file too large for `ulimit -f`, that. */
 const char *status_reason(int error);
 
-/** Shorthand for an allocation that failed. */
+/** status_fail() for a failed allocation. */
 enum status_code status_memory(struct status *status);
 
-/** Memory was short where nobody asks at every step, in a text or a tree of JSON: what is made of these in this process
- * may lack a part, and is not to be handed out. */
+/** Memory was short in a text or a JSON tree, where not every step is checked: output of this process may be incomplete
+ * and must not be handed out. */
 extern atomic_bool status_lost;
 
 #endif

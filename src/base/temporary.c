@@ -16,7 +16,7 @@
 #include <unistd.h>
 
 enum { NAME = 192, LETTERS = 6, PAUSE_US = 200 };
-static const double end_seconds = 0.3; /* for what is held, and for the removal; the rest is left to the next run */
+static const double end_seconds = 0.3; /* of waiting, and of removal; the rest is left to the next run */
 
 /* Of the process, as its end is. */
 static pthread_mutex_t lock = PTHREAD_RECURSIVE_MUTEX_INITIALIZER_NP; /* guards what follows */
@@ -29,8 +29,8 @@ int temporary_open(int parent, const char *name)
     return openat(parent, name, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
 }
 
-/** The name of this very directory, which ends as its name so far: on this machine only, as others do not see its locks
- * everywhere. */
+/** The name that says where this directory was made; it ends as its name so far. With the host, since locks are not
+ * seen from other machines on every file system. */
 static void name_of(char out[static NAME], const char *prefix, int directory, const char *so_far)
 {
     struct stat info = {0};
@@ -64,7 +64,7 @@ void temporary_remove_entry(int directory, const char *name)
     unlinkat(directory, name, AT_REMOVEDIR);
 }
 
-/** Clears the directory `name` if it is this user's and its process is no more. */
+/** Clears the directory `name` if it is this user's and its process is dead. */
 static void clear_stale(int parent, const char *name, const char *prefix, void (*clear)(int directory))
 {
     struct stat info;
@@ -77,7 +77,7 @@ static void clear_stale(int parent, const char *name, const char *prefix, void (
         strcmp(name, own) == 0 && flock(directory, LOCK_EX | LOCK_NB) == 0 && fstat(directory, &info) == 0 &&
         info.st_nlink > 0) {
         clear(directory);
-        if (unlinkat(parent, name, AT_REMOVEDIR) != 0 && *name == '.') /* somebody's: to be seen */
+        if (unlinkat(parent, name, AT_REMOVEDIR) != 0 && *name == '.') /* holds a user's files: show it */
             (void)!renameat(parent, name, parent, name + 1);
     }
     close(directory);

@@ -57,10 +57,9 @@ void text_add(struct text *text, const char *format, ...)
     va_end(again);
 }
 
-/* What is valid UTF-8 and not seen, or changes how the characters around it are: controls; soft hyphen; joiners and
- * fillers; bidirectional marks, embeddings, overrides and isolates; separators; tags and variation selectors; what is
- * no character. Those of Unicode 15 that are ignorable by default, but for the selectors that belong to a visible sign.
- */
+/* Characters that are invisible or change those around them: controls; soft hyphen; joiners and fillers; bidirectional
+ * marks; separators; tags; what is no character. They are Unicode 15's default ignorables, without the variation
+ * selectors of visible signs. */
 static const struct {
     uint32_t first, last;
 } hidden[] = {
@@ -115,7 +114,7 @@ size_t text_fit(const char *string, size_t most)
     return most;
 }
 
-/** The same whether or not a backslash here may be taken for the beginning of what is written out. */
+/** As text_show(), but for backslashes. */
 static struct text_shown show_plainly(const char *s)
 {
     struct text_shown shown = {.bytes = text_character(s)};
@@ -150,8 +149,8 @@ void text_add_shown(struct text *text, const char *string)
     }
 }
 
-/** Does Markdown read something into the character there? Marks of lists and rules only count at the beginning, after
- * digits at most; an underscore inside a word is a letter; a colon may make a link only before a slash. */
+/** Has the character a meaning in Markdown? Marks of lists and rules count only at the beginning, or behind digits
+ * there; an underscore inside a word is a letter; a colon makes a link only before a slash. */
 static bool has_meaning(const char *string, size_t at)
 {
     char c = string[at];
@@ -226,8 +225,8 @@ static bool is_number(const char *string)
     return *end == '\0';
 }
 
-/** Would a spreadsheet calculate a cell of this text, that is: does it begin, perhaps behind blanks or apostrophes,
- * with = + - @ (or their full-width forms), and is no number? */
+/** Would a spreadsheet calculate a cell of this text? It begins, perhaps behind blanks or apostrophes, with = + - @ or
+ * their full-width forms, and is no number. */
 static bool is_formula(const char *string)
 {
     static const char *const marks[] = {"=", "+", "-", "@", "\uFF1D", "\uFF0B", "\uFF0D", "\uFF20"};
@@ -272,11 +271,11 @@ int text_characters(const char *string)
 
 void text_add_wrapped(struct text *text, const char *string, int width, int indent)
 {
-    size_t line = text->length; /* from its end, as the text may be long; sanitizers look at all that memrchr() may */
+    size_t line = text->length; /* no memrchr(): sanitizers look at the whole text each time */
     while (line > 0 && text->data[line - 1] != '\n')
         line--;
     int at = text_characters(text_string(text) + line);
-    bool begun = false; /* a word stands on this line, which the next is told from by a blank */
+    bool begun = false; /* a word stands on this line */
     while (*string) {
         size_t length = strcspn(string, " \n");
         int word = text_width(string, length);

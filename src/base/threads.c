@@ -36,7 +36,7 @@ size_t threads_number(const struct threads *threads, size_t count)
     return wanted < THREADS_MOST ? wanted : THREADS_MOST;
 }
 
-/** Begins the next task; false when there is none, one failed, or it is time to stop. */
+/** Begins the next task; false where there is none, one failed, or it is time to stop. */
 static bool begin(struct crowd *crowd, struct threads_turn *turn)
 {
     pthread_mutex_lock(&crowd->lock);
@@ -64,7 +64,7 @@ static void end(struct crowd *crowd, struct threads_turn *turn, const struct sta
     pthread_mutex_unlock(&crowd->lock);
 }
 
-/** Is a task of a smaller index under way? Those that have not begun come later. */
+/** Is a task of a smaller index still running? Those not begun have larger ones. */
 static bool is_early(const struct crowd *crowd, const struct threads_turn *turn)
 {
     for (size_t i = 0; i < crowd->number; i++)

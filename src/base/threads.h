@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The same done to many things by several threads, so that what they leave does not depend on how many there are. */
+/* Tasks on several threads; the results do not depend on how many threads there are. */
 #ifndef BASE_THREADS_H
 #define BASE_THREADS_H
 
@@ -14,27 +14,25 @@ struct threads {
     const atomic_bool *stop; /* becomes true when the work is to end early; NULL: never */
 };
 
-/** The place of a task in the order of all. */
+/** The place of a task in the order of tasks. */
 struct threads_turn;
 
 /** What is done to thing `index`, on any thread. */
 typedef enum status_code threads_task(void *context, size_t index, struct threads_turn *turn, struct status *status);
 
-/** Does `task` for 0 ... count-1, begun in this order. Errors: that of the first
- * task, by index, that fails, after which none is begun; STATUS_INTERRUPTED when told to stop. */
+/** Does `task` for 0 ... count-1, begun in this order. Errors: that of the failed task of least index, after which none
+ * is begun; STATUS_INTERRUPTED when told to stop. */
 MUST_CHECK enum status_code threads_run(const struct threads *threads, size_t count, threads_task *task, void *context,
                                         struct status *status);
 
-/** Waits until the tasks of all smaller indices have ended, so that what it does from here on to what they share is in
- * order. False: one of them failed, and this one's work is in vain. NULL, of one that runs alone: always true. */
+/** Waits until the tasks of all smaller indices have ended, so that changes to shared data from here on are in order.
+ * False: one of them failed, so this result is not needed. NULL, of a task that runs alone: always true. */
 bool threads_wait(struct threads_turn *turn);
 
-/** How many threads `threads` makes for `count` tasks. */
+/** How many threads run `count` tasks. */
 size_t threads_number(const struct threads *threads, size_t count);
 
-/* Threads whose stack does not hang on `ulimit -s`. */
-
-/** Bytes of stack of each: what Debian gives by default. Pages that are not used take no memory. */
+/** Bytes of stack of each thread, whatever `ulimit -s` says: Debian's default. Unused pages take no memory. */
 enum { THREAD_STACK_BYTES = 8 << 20 };
 
 /** Starts work(context) on a thread of its own, to be joined by pthread_join(). False: there can be no other thread. */

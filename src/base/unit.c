@@ -11,7 +11,7 @@
 
 #define COUNT(array) (sizeof(array) / sizeof *(array))
 
-/* In UTF-8; then in latin-1, which UTF-8 has behind the byte C2. */
+/* In UTF-8; then in latin-1, whose bytes UTF-8 has behind C2. */
 static const struct {
     const char *bytes, *letters;
 } unit_letters[] = {
@@ -95,6 +95,11 @@ static const struct unit_row {
     {"-", NULL, false, 1, 0, {0, 0, 0, 0, 0}, 0},
 };
 
+/* m, kg, s, A, K */
+#define SI(m, kg, s, A, K)                                                                                             \
+    {                                                                                                                  \
+        m, kg, s, A, K                                                                                                 \
+    }
 static const struct {
     enum unit_quantity quantity;
     const char *name, *si;
@@ -102,43 +107,31 @@ static const struct {
     double factor; /* the only one; 0: any */
     const char *known;
 } unit_quantities[] = {
-    {UNIT_NUMBER, "a plain number", "", {0, 0, 0, 0, 0}, 1, "dimensionless"},
-    {UNIT_PERCENT, "a percentage", "", {0, 0, 0, 0, 0}, 1e-2, "%"},
-    {UNIT_FORCE, "a force", "N", {1, 1, -2, 0, 0}, 0, "N, mN, cN, kN, gf, kgf, lbf"},
-    {UNIT_PRESSURE, "a pressure", "Pa", {-1, 1, -2, 0, 0}, 0, "Pa, kPa, MPa, GPa, N/mm2, bar, psi, atm"},
-    {UNIT_RESISTANCE, "a resistance", "ohm", {2, 1, -3, -2, 0}, 0, "ohm (Ω), nohm, uohm (µΩ), mohm (mΩ), kohm"},
-    {UNIT_RESISTANCE_AREA,
-     "a resistance times an area",
-     "ohm m2",
-     {4, 1, -3, -2, 0},
-     0,
+    {UNIT_NUMBER, "a plain number", "", SI(0, 0, 0, 0, 0), 1, "dimensionless"},
+    {UNIT_PERCENT, "a percentage", "", SI(0, 0, 0, 0, 0), 1e-2, "%"},
+    {UNIT_FORCE, "a force", "N", SI(1, 1, -2, 0, 0), 0, "N, mN, cN, kN, gf, kgf, lbf"},
+    {UNIT_PRESSURE, "a pressure", "Pa", SI(-1, 1, -2, 0, 0), 0, "Pa, kPa, MPa, GPa, N/mm2, bar, psi, atm"},
+    {UNIT_RESISTANCE, "a resistance", "ohm", SI(2, 1, -3, -2, 0), 0, "ohm (Ω), nohm, uohm (µΩ), mohm (mΩ), kohm"},
+    {UNIT_RESISTANCE_AREA, "a resistance times an area", "ohm m2", SI(4, 1, -3, -2, 0), 0,
      "ohm m2 (Ω·m²), ohm mm2, mohm mm2, uohm cm2"},
-    {UNIT_THERMAL_RESISTANCE, "a thermal resistance", "K/W", {-2, -1, 3, 0, 1}, 0, "K/W, mK/W"},
-    {UNIT_THERMAL_RESISTANCE_AREA,
-     "a thermal resistance times an area",
-     "K m2/W",
-     {0, -1, 3, 0, 1},
-     0,
+    {UNIT_THERMAL_RESISTANCE, "a thermal resistance", "K/W", SI(-2, -1, 3, 0, 1), 0, "K/W, mK/W"},
+    {UNIT_THERMAL_RESISTANCE_AREA, "a thermal resistance times an area", "K m2/W", SI(0, -1, 3, 0, 1), 0,
      "K m2/W, K mm2/W, K cm2/W"},
-    {UNIT_DISTANCE, "a length", "m", {1, 0, 0, 0, 0}, 0, "m, mm, um, nm, angstrom, in, uin, mil"},
-    {UNIT_AREA, "an area", "m2", {2, 0, 0, 0, 0}, 0, "m2, cm2, mm2, um2, in2"},
-    {UNIT_TIME, "a time", "s", {0, 0, 1, 0, 0}, 0, "s, ms, min, h"},
-    {UNIT_SPEED, "a speed", "m/s", {1, 0, -1, 0, 0}, 0, "m/s, km/s, mm/us"},
-    {UNIT_TEMPERATURE, "a temperature", "K", {0, 0, 0, 0, 1}, 0, "K, degC (°C), degF"},
-    {UNIT_CURRENT, "a current", "A", {0, 0, 0, 1, 0}, 0, "A, mA, kA"},
-    {UNIT_VOLTAGE, "a voltage", "V", {2, 1, -3, -1, 0}, 0, "V, mV, uV"},
-    {UNIT_DENSITY, "a density", "kg/m3", {-3, 1, 0, 0, 0}, 0, "kg/m3, g/cm3"},
-    {UNIT_SPECIFIC_HEAT, "a specific heat", "J/kg/K", {2, 0, -2, 0, -1}, 0, "J/kg/K, kJ/kg/K, J/g/K"},
-    {UNIT_CONDUCTIVITY, "a thermal conductivity", "W/m/K", {1, 1, -3, 0, -1}, 0, "W/m/K, W/cm/K"},
-    {UNIT_RESISTIVITY, "a resistivity", "ohm m", {3, 1, -3, -2, 0}, 0, "ohm m, uohm cm, ohm mm2/m, nohm m"},
-    {UNIT_CONDUCTANCE, "a thermal conductance", "W/K", {2, 1, -3, 0, -1}, 0, "W/K, mW/K, kW/K"},
-    {UNIT_CONDUCTANCE_AREA,
-     "a thermal conductance by area",
-     "W/m2/K",
-     {0, 1, -3, 0, -1},
-     0,
+    {UNIT_DISTANCE, "a length", "m", SI(1, 0, 0, 0, 0), 0, "m, mm, um, nm, angstrom, in, uin, mil"},
+    {UNIT_AREA, "an area", "m2", SI(2, 0, 0, 0, 0), 0, "m2, cm2, mm2, um2, in2"},
+    {UNIT_TIME, "a time", "s", SI(0, 0, 1, 0, 0), 0, "s, ms, min, h"},
+    {UNIT_SPEED, "a speed", "m/s", SI(1, 0, -1, 0, 0), 0, "m/s, km/s, mm/us"},
+    {UNIT_TEMPERATURE, "a temperature", "K", SI(0, 0, 0, 0, 1), 0, "K, degC (°C), degF"},
+    {UNIT_CURRENT, "a current", "A", SI(0, 0, 0, 1, 0), 0, "A, mA, kA"},
+    {UNIT_VOLTAGE, "a voltage", "V", SI(2, 1, -3, -1, 0), 0, "V, mV, uV"},
+    {UNIT_DENSITY, "a density", "kg/m3", SI(-3, 1, 0, 0, 0), 0, "kg/m3, g/cm3"},
+    {UNIT_SPECIFIC_HEAT, "a specific heat", "J/kg/K", SI(2, 0, -2, 0, -1), 0, "J/kg/K, kJ/kg/K, J/g/K"},
+    {UNIT_CONDUCTIVITY, "a thermal conductivity", "W/m/K", SI(1, 1, -3, 0, -1), 0, "W/m/K, W/cm/K"},
+    {UNIT_RESISTIVITY, "a resistivity", "ohm m", SI(3, 1, -3, -2, 0), 0, "ohm m, uohm cm, ohm mm2/m, nohm m"},
+    {UNIT_CONDUCTANCE, "a thermal conductance", "W/K", SI(2, 1, -3, 0, -1), 0, "W/K, mW/K, kW/K"},
+    {UNIT_CONDUCTANCE_AREA, "a thermal conductance by area", "W/m2/K", SI(0, 1, -3, 0, -1), 0,
      "W/m2/K, kW/m2/K, W/cm2/K"},
-    {UNIT_POWER, "a power", "W", {2, 1, -3, 0, 0}, 0, "W, mW, kW"},
+    {UNIT_POWER, "a power", "W", SI(2, 1, -3, 0, 0), 0, "W, mW, kW"},
 };
 
 bool unit_spell(char spelling[UNIT_LENGTH], const char *text, size_t length)
@@ -182,7 +175,7 @@ struct product {
     int exponent; /* of ten, beside the unit's factor */
 };
 
-/* Is the word the prefix and the name, in any case? An o goes where the prefix's vowel meets it: microhm, kilohm. */
+/* Is the word the prefix and the name, in any case? Microhm and kilohm lose a vowel between them. */
 static bool is_named(const char *word, size_t length, const char *prefix, const char *name)
 {
     size_t before = strlen(prefix), after = strlen(name);
@@ -224,7 +217,7 @@ static const char *skip_blanks(const char *p)
 
 static const char *read_product(struct product *out, const char *p, int sign);
 
-/* A word with its power, or a product in brackets: where it ends, NULL when it is none. `sign` -1 divides by it. */
+/* Reads a word with its power, or a product in brackets. Returns its end; NULL: none. `sign` -1 divides. */
 static const char *read_power(struct product *out, const char *p, int sign)
 {
     if (*p == '(') {
@@ -278,8 +271,7 @@ static const char *read_powers(struct product *out, const char *p, int sign)
     return NULL;
 }
 
-/* A product and what it is divided by. Behind a slash stands one power or a bracket: `W/m2 K` is either of two units.
- */
+/* A product and its divisors. Behind a slash stands one power or a bracket, since `W/m2 K` could be two units. */
 static const char *read_product(struct product *out, const char *p, int sign)
 {
     p = *p == '1' && strchr("/ ", p[1]) ? skip_blanks(p + 1) : read_powers(out, p, sign);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Units of measurement as people write them: spelling, prefix, products, powers and quotients to a factor to SI. */
+/* Reads units of measurement as people write them, with prefixes, products, powers and quotients, as a factor to SI. */
 #ifndef BASE_UNIT_H
 #define BASE_UNIT_H
 
@@ -44,24 +44,22 @@ enum unit_quantity {
 
 enum { UNIT_LENGTH = 48 }; /* bytes of a spelling, with the NUL */
 
-/** Writes `text` with each letter and sign that has several codes, or none in ASCII, as ASCII: every mu as u, ohm sign
- * and Greek omega as ohm, Å as angstrom, raised digits as digits, dots and crosses as *, special blanks as blanks
- * (UTF-8, and what latin-1 has of them). False when it is empty or does not fit. */
+/** Writes `text` (UTF-8 or latin-1) in ASCII: mu as u, the ohm sign and omega as ohm, Å as angstrom, raised digits as
+ * digits, dots and crosses as *, special blanks as blanks. False when it is empty or does not fit. */
 bool unit_spell(char spelling[UNIT_LENGTH], const char *text, size_t length);
 
-/** A unit's `text` as it may be shown: as it stands, or where it is no UTF-8 as unit_spell() does. False when it does
- * not fit. */
+/** A unit's `text` as it may be shown; where it is no UTF-8, by unit_spell(). False: it does not fit. */
 bool unit_shown(char shown[UNIT_LENGTH], const char *text, size_t length);
 
-/** Reads a unit: `kN`, `mΩ`, `µOhm`, `milliohm`, `K m²/W`, `ohm_m2`, `K_m2_per_W`, `W/(m2 K)`, `N/mm^2`. Symbols are
- * told apart by case (m is milli, M is mega), words are not. False when it does not fit into UNIT_LENGTH, any part is
- * unknown, and where what is divided by is in doubt (`W/m2 K`: write `W/m2/K` or `W/(m2 K)`). */
+/** Reads a unit: `kN`, `mΩ`, `µOhm`, `milliohm`, `K m²/W`, `ohm_m2`, `K_m2_per_W`, `W/(m2 K)`, `N/mm^2`. Case counts in
+ * symbols (m is milli, M is mega), not in words. False when it is longer than UNIT_LENGTH, a part is unknown, or the
+ * divisor is ambiguous (`W/m2 K`: write `W/m2/K` or `W/(m2 K)`). */
 bool unit_read(struct unit *out, const char *text, size_t length);
 
-/** The one of `quantities` (bits) that it is a unit of, 0 where it is of none of them. */
+/** The one of `quantities` (bits) that it is a unit of; 0: none. */
 unsigned unit_of(const struct unit *unit, unsigned quantities);
 
-/** Do both stand for the same? */
+/** Are they the same unit? */
 bool unit_equal(const struct unit *a, const struct unit *b);
 
 /** The coherent SI unit of one quantity: "Pa"; "" of a plain number. */

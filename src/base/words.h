@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* templates/words.txt: what axes, panels, legends and marks are called, what is asked for, why effects run, what is
- * noted. What several threads note is told as words_add() takes it, and said by one. */
+/* templates/words.txt: names of axes, panels and legends, reasons of effects, notes. Threads note what words_add()
+ * takes; one thread makes the text of it. */
 #ifndef BASE_WORDS_H
 #define BASE_WORDS_H
 
@@ -19,17 +19,15 @@ struct words {
 MUST_CHECK enum status_code words_read(struct words *out, const char *templates, struct status *status);
 void words_free(struct words *words);
 
-/** Words that are told like printf: their name, and a line for each of what fills them in: a name, a blank and its
- * text, or the name alone of what is so. Behind a name and a tab all that follows is its text, line ends too: what
- * comes from outside stands there, still to be shown as such. Texts of one name that comes again are a list. Good as
- * long as `words` lives; NULL: "". */
+/** The text of a line of words.txt. The format is as printf's: the line's name, then a line for each value that fills
+ * it in: name, blank, text; a name alone is true. Behind a name and a tab all the rest is its text, line ends too: text
+ * from outside stands there. A name that comes again makes a list. Lives as long as `words`; NULL: "". */
 const char *words_say(struct words *words, const char *format, ...) PRINTF_LIKE(2, 3);
-/** Adds the words that `later` tells so, with what fills them in escaped (NULL: as it is). False: not, and the words'
- * status says why. */
+/** Adds the text of `later`, in the same form, its values escaped (NULL: not). False: the words' status says why. */
 bool words_add(struct text *out, struct words *words, const char *later,
                void (*escape)(struct text *out, const char *string));
 
-/** Adds a text in `most` characters: of a longer one the middle is cut, as names often differ at their end. */
+/** Adds a text in `most` characters. Of a longer one the middle is cut, since names often differ at their end. */
 void words_cut(struct text *out, const char *string, size_t length, int most);
 
 #endif

@@ -88,16 +88,29 @@ struct chart_panel *chart_panel(struct chart *chart, const char *title, const ch
     return panel;
 }
 
-static void reach(struct chart_extent *extent, double value)
-{
-    extent->low = fmin(extent->low, value);
-    extent->high = fmax(extent->high, value);
-}
-
 static void join(struct chart_extent *all, const struct chart_extent *one)
 {
     all->low = fmin(all->low, one->low);
     all->high = fmax(all->high, one->high);
+}
+
+static void reach(struct chart_extent *extent, double value)
+{
+    join(extent, &(struct chart_extent){value, value});
+}
+
+/** Characters of the longest text `key` in a list, of the items that have `only` (NULL: all); `least`: none is longer.
+ */
+static int longest(const json_t *list, const char *key, const char *only, int least)
+{
+    size_t i;
+    json_t *item;
+    json_array_foreach(list, i, item)
+    {
+        const int length = text_characters(json_string_value(json_object_get(item, key)));
+        least = length > least && (!only || json_object_get(item, only)) ? length : least;
+    }
+    return least;
 }
 
 void chart_curve(struct chart *chart, const struct chart_curve *curve)
@@ -194,10 +207,9 @@ static json_t *tick_label(double at, bool logarithmic, bool letters)
     struct text out = {0};
     if (letters)
         text_add(&out, "%.6g", at);
-    else if (size == 0 || (size >= 0.99e-3 && size < 9.9e3) || !logarithmic) {
-        snprintf(plain, sizeof plain, "%s%.6g", at < 0 ? "−" : "", size);
-        text_add(&out, "%s", plain);
-    } else {
+    else if (size == 0 || (size >= 0.99e-3 && size < 9.9e3) || !logarithmic)
+        text_add(&out, "%s%.6g", at < 0 ? "−" : "", size);
+    else {
         int power = (int)floor(log10(size) + 1e-9), digit = (int)lround(size / pow(10, power));
         if (digit != 1)
             text_add(&out, "%d·", digit);
@@ -281,35 +293,23 @@ static const char *x_label_of(const struct chart *chart, size_t columns, size_t 
     return p + columns < chart->panels && strcmp(chart->panel[p + columns].x_label, own) == 0 ? "" : own;
 }
 
-/** Characters of the longest name of marks across the panels; 0: none has one. */
-static int longest_mark(const struct chart *chart, const char *across)
+/** Room for the longest name of marks across the panels. */
+static double marks_width(const struct chart *chart, const char *across)
 {
-    int longest = 0;
-    for (size_t p = 0; p < chart->panels; p++) {
-        size_t i;
-        json_t *mark;
-        json_array_foreach(chart->panel[p].marks, i, mark)
-        {
-            int length = text_characters(json_string_value(json_object_get(mark, "name")));
-            longest = json_object_get(mark, across) && length > longest ? length : longest;
-        }
-    }
-    return longest;
+    int most = 0;
+    for (size_t p = 0; p < chart->panels; p++)
+        most = longest(chart->panel[p].marks, "name", across, most);
+    return most > 0 ? LETTER * most + 8 : 0;
 }
 
 static struct layout layout_of(const struct chart *chart)
 {
     struct layout out = {.columns = chart->panels > 1 ? 2 : 1};
-    size_t entries = json_array_size(chart->legend), i;
-    int longest = 8, label = 0;
+    const size_t entries = json_array_size(chart->legend);
+    const int name = longest(chart->legend, "title", NULL, 8);
+    int label = 0;
     bool own = !chart->shares; /* axes of its own take each panel their room; shared ones are numbered at the first */
     double title = 10, y = 0;
-    json_t *entry;
-    json_array_foreach(chart->legend, i, entry)
-    {
-        int length = text_characters(json_string_value(json_object_get(entry, "title")));
-        longest = length > longest ? length : longest;
-    }
     for (size_t p = 0; p < chart->panels; p++) {
         own = own || chart->panel[p].alone;
         title = chart->panel[p].title[0] ? 26 : title;
@@ -318,8 +318,8 @@ static struct layout layout_of(const struct chart *chart)
     out.rows = (chart->panels + out.columns - 1) / out.columns;
     out.panel = chart->panel_height > 0 ? chart->panel_height : out.columns == 1 ? 260 : 110;
     out.panel = fmax(out.panel, LETTER * label); /* which is written upwards beside it */
-    double beside_panel = longest_mark(chart, "horizontal") > 0 ? LETTER * longest_mark(chart, "horizontal") + 8 : 0;
-    out.above = longest_mark(chart, "vertical") > 0 ? MARK_ROW : 0;
+    const double beside_panel = marks_width(chart, "horizontal");
+    out.above = marks_width(chart, "vertical") > 0 ? MARK_ROW : 0;
     title += out.above;
     out.gap = (own ? LEFT + 4 : BETWEEN) + beside_panel;
     out.wide = (WIDTH - LEFT - RIGHT - beside_panel - (double)(out.columns - 1) * out.gap) / (double)out.columns;
@@ -332,11 +332,10 @@ static struct layout layout_of(const struct chart *chart)
     }
     size_t last_row = chart->panels - (out.rows - 1) * out.columns, free = out.columns - last_row;
     double beside = LEFT + (double)last_row * (out.wide + out.gap) - (own ? 50 : 0); /* no numbers stand there */
-    const size_t columns = (size_t)fmax(1, (WIDTH - 20) / (9.6 * longest + 68)),
-                 rows = (entries + columns - 1) / columns;
+    const size_t columns = (size_t)fmax(1, (WIDTH - 20) / (9.6 * name + 68)), rows = (entries + columns - 1) / columns;
     const double below = y + 4 + LEGEND_ROW * (double)rows,
                  beside_end = out.top[out.rows - 1] - 10 + LEGEND_ROW * (double)entries;
-    out.legend_beside = entries > 0 && free > 0 && LETTER * longest + SAMPLE <= WIDTH - beside && beside_end <= below;
+    out.legend_beside = entries > 0 && free > 0 && LETTER * name + SAMPLE <= WIDTH - beside && beside_end <= below;
     out.legend_columns = out.legend_beside ? 1 : columns;
     out.legend_x = out.legend_beside ? beside : WIDTH / 2.0;
     out.legend_y = out.legend_beside ? out.top[out.rows - 1] - 10 : y + 4;
@@ -358,15 +357,7 @@ static void mark_more(json_t *list, const char *flag)
 /** What the names on a panel's y axis take more than numbers would. */
 static double names_width(const struct chart_panel *panel)
 {
-    int longest = 0;
-    size_t i;
-    json_t *name;
-    json_array_foreach(panel->names, i, name)
-    {
-        int length = text_characters(json_string_value(json_object_get(name, "label")));
-        longest = length > longest ? length : longest;
-    }
-    return fmax(0, LETTER * longest + NAME - LEFT);
+    return fmax(0, LETTER * longest(panel->names, "label", NULL, 0) + NAME - LEFT);
 }
 
 /** Has the names of marks across x, above the panel, stay within it and beside one another: from the last one on, each

@@ -62,11 +62,11 @@ struct chart {
 /** Starts a chart. Owned: chart_free(). */
 struct chart chart_make(const char *name);
 void chart_free(struct chart *chart);
-/** Starts a panel, of more than CHART_PANELS in the place of the last; what else there is to say of it is set in what
- * it returns. Before the first there is nothing to draw or mark in. */
+/** Starts a panel, which curves and marks need, and returns it for its other members; beyond CHART_PANELS it replaces
+ * the last. */
 struct chart_panel *chart_panel(struct chart *chart, const char *title, const char *x_label, const char *y_label,
                                 bool log_x, bool log_y);
-/** Starts a curve in the panel begun last; one without rows is left out. */
+/** Starts a curve in the last panel; one without rows is left out. */
 void chart_curve(struct chart *chart, const struct chart_curve *curve);
 /** Adds a row: as many numbers as its kind has columns. What the axes cannot show is left out. */
 void chart_row(struct chart *chart, double x, double y, double from, double to);

@@ -5,8 +5,8 @@
 #include "base/number_format.h"
 #include "base/unit.h"
 #include "chart/chart.h"
-#include "chart/map_picture.h"
 #include "joint/heating.h"
+#include "output/record.h"
 #include "results/accuracy.h"
 #include "results/asked.h"
 #include "results/comparison.h"
@@ -49,6 +49,13 @@ struct source {
     struct words *words;
 };
 
+/** How they are drawn. */
+struct drawing {
+    const struct figures_task *task;
+    struct mustache_folder *templates;
+    const char *directory;
+};
+
 /** As words_say() has them. */
 #define SAY(...) words_say(source->words, __VA_ARGS__)
 /** Begins a curve that looks so: members of a struct chart_curve. */
@@ -72,7 +79,7 @@ static double on_axis(const struct contact_point *point, const struct axis *axis
     return axis->reciprocal ? axis->scale / value : axis->scale * value;
 }
 
-/** Is the i-th of so many points one that a line goes through? Of more than MOST so many, evenly, and both ends. */
+/** Is point i drawn? Of more than MOST, evenly spread ones and both ends. */
 static bool is_drawn(size_t i, size_t count)
 {
     enum { MOST = 400 };
@@ -165,7 +172,7 @@ static const char *baseline_colour(const struct source *source)
     return source->results->usable_count > 1 ? surface_look(source, k).colour : ink;
 }
 
-/** Loads as the user has them, or, behind the first page where the scene gives them no unit, as the thesis has them. */
+/** Loads in the user's unit; behind the first page, where the scene gives none, P/(A_n E') as in the thesis. */
 static struct asked_load load_of(const struct source *source, size_t surface, bool asked)
 {
     const struct results *results = source->results;
@@ -368,14 +375,14 @@ static void put_rows(struct chart *chart, const struct row *rows, size_t count)
     chart->panel_height = 42 + 26 * (double)count;
 }
 
-/** What is known of a surface, with the mark of how. */
+/** What is known of a surface; the mark says how. */
 static struct row surface_row(const struct source *source, size_t surface)
 {
     const struct asked *asked = &source->asked;
-    const struct known known = known_asked(source->results, asked, surface);
+    const struct known known = known_shown(source->results, asked, NULL, surface);
     const bool bound = known.kind != KNOWN_VALUE;
-    struct row row = {.value = known.kind == KNOWN_NOTHING ? NAN : asked_shown(asked, known.value),
-                      .ends = {NAN, NAN},
+    struct row row = {.value = known.kind == KNOWN_NOTHING ? NAN : known.value,
+                      .ends = {bound ? NAN : known.low, bound ? NAN : known.high},
                       .surface = surface,
                       .marker = known.measured ? 5
                                 : bound        ? 6
@@ -383,8 +390,6 @@ static struct row surface_row(const struct source *source, size_t surface)
                       .notes = known.measured ? NOTE(FIGURE_MEASURED)
                                : bound        ? NOTE(FIGURE_BOUND)
                                               : 0};
-    if (!bound)
-        asked_ends(row.ends, asked, (const double[]){known.low, known.high});
     row.place = asked->more_is_better ? -row.value : row.value;
     return row;
 }
@@ -541,8 +546,6 @@ static void put_spectrum(struct chart *chart, const struct source *source, const
 static void make_surfaces(struct chart *chart, const struct source *source)
 {
     const struct results *results = source->results;
-    chart->shares = true;
-    chart->panel_height = 90;
     chart->number = 10;
     for (size_t k = 0; k < results->shown_count; k++) {
         const struct surface_record *record = &results->surfaces[results->shown[k]];
@@ -563,8 +566,6 @@ static void make_convergence(struct chart *chart, const struct source *source)
     static const char *const parameter[][2] = {
         [CONVERGENCE_ALPHA] = {"alpha", "panel.alpha"}, [CONVERGENCE_GAMMA] = {"gamma", "panel.gamma"}};
     size_t index[MOST], count = results_sweep_scales(index, MOST, study->scales);
-    chart->shares = true;
-    chart->panel_height = 90;
     for (int s = 0; s < CONVERGENCE_SWEEP_COUNT && results->convergence; s++)
         for (size_t m = 0; m < model_count; m++) {
             const struct convergence_sweep_row *sweep = &convergence_sweeps[s];
@@ -609,8 +610,8 @@ static void begin_panel(struct chart *chart, const struct source *source, enum q
                 !(quantity_rows[y].is & QUANTITY_LINEAR) && quantity_unit(y).offset == 0);
 }
 
-/** A model's curve of a surface in a panel of one quantity over another: a statistical separation adjusted, and thin as
- * it is; dotted what belongs beside it. */
+/** A model's curve in a panel of one quantity over another: a statistical gap adjusted and, thin, unadjusted; dotted,
+ * the quantity that is drawn beside it. */
 static void put_quantity(struct chart *chart, const struct source *source, const enum quantity of[2], size_t surface,
                          size_t m, struct chart_curve look)
 {
@@ -634,15 +635,15 @@ static void put_quantity(struct chart *chart, const struct source *source, const
         put_curve(chart, source, record, m, axis, look);
 }
 
-/** Is a panel left to the appendix: of a report's only surface, what the first page has drawn, and gap against area? */
+/** Does a panel go to the appendix? Of a single surface: what the first page shows already, and gap against area. */
 static bool is_more(const struct source *source, enum quantity quantity, const struct quantity_panel *panel)
 {
     return source->results->usable_count == 1 &&
            (panel->against != QUANTITY_LOAD || quantity == source->asked.quantity);
 }
 
-/** The baseline in every model, a panel a quantity: those of the contact, `whole`: but the appendix's; or the joint's,
- * of those its whole first. */
+/** The baseline in every model, a panel per quantity: of the contact, all but the appendix's (`whole`) or those; of the
+ * joint, its total (`whole`) or its parts. */
 static void put_baseline(struct chart *chart, const struct source *source, bool joint, bool whole)
 {
     for (int p = 0; p < 2 * QUANTITY_COUNT; p++) {
@@ -664,13 +665,11 @@ static void put_baseline(struct chart *chart, const struct source *source, bool 
 
 static void make_one_surface(struct chart *chart, const struct source *source)
 {
-    chart->panel_height = 190;
     put_baseline(chart, source, false, true);
 }
 
 static void make_one_surface_more(struct chart *chart, const struct source *source)
 {
-    chart->panel_height = 190;
     put_baseline(chart, source, false, false);
 }
 
@@ -774,8 +773,6 @@ static void make_direct(struct chart *chart, const struct source *source)
     const struct direct_study *study = results_direct_baseline(results);
     const struct material_pair *pair = results_pair(results, results->baseline);
     const double scale = load_of(source, results->baseline, false).scale;
-    chart->shares = true;
-    chart->panel_height = 150;
     for (int q = 0; study && q < QUANTITY_COUNT; q++) {
         const enum quantity quantity = (enum quantity)q;
         if (!quantity_rows[q].solved.ratio || !(results->plan->wanted & QUANTITY_BIT(q)))
@@ -811,7 +808,6 @@ static void make_direct(struct chart *chart, const struct source *source)
 /** 95 % error, as the factor of the table beside it, against time: every model, at each tolerance. */
 static void make_accuracy(struct chart *chart, const struct source *source)
 {
-    chart->panel_height = 180;
     if (!source->results->benchmark)
         return;
     chart_panel(chart, "", SAY("axis.time"), asked_label(source, "axis.error_of"), true, true);
@@ -840,42 +836,24 @@ static void make_accuracy(struct chart *chart, const struct source *source)
 /* In the report's order; those of all surfaces come behind. */
 static const struct figure_row {
     const char *name;
-    bool first_page, terminal;
     void (*make)(struct chart *chart, const struct source *source); /* nothing: it is not called for */
+    double panel_height;
+    bool shares, first_page, terminal;
 } figure_rows[] = {
-    {"answer", true, true, make_answer},
-    {"surfaces-at-load", true, false, make_surfaces_at_load},
-    {"models", false, false, make_models},
-    {"surfaces", false, false, make_surfaces},
-    {"convergence", false, false, make_convergence},
-    {"one-surface", false, false, make_one_surface},
-    {"one-surface-more", false, false, make_one_surface_more},
-    {"joint", false, false, make_joint},
-    {"measured", false, false, make_measured},
-    {"direct", false, true, make_direct},
-    {"accuracy", false, false, make_accuracy},
+    {"answer", make_answer, .first_page = true, .terminal = true},
+    {"surfaces-at-load", make_surfaces_at_load, .first_page = true},
+    {"models", .make = make_models},
+    {"surfaces", make_surfaces, .panel_height = 90, .shares = true},
+    {"convergence", make_convergence, .panel_height = 90, .shares = true},
+    {"one-surface", make_one_surface, .panel_height = 190},
+    {"one-surface-more", make_one_surface_more, .panel_height = 190},
+    {"joint", .make = make_joint},
+    {"measured", .make = make_measured},
+    {"direct", make_direct, .panel_height = 150, .shares = true, .terminal = true},
+    {"accuracy", make_accuracy, .panel_height = 180},
 };
 enum { FIGURE_ROWS = sizeof figure_rows / sizeof *figure_rows };
 _Static_assert(FIGURE_ROWS + FIGURES_MAPS + 2 * QUANTITY_COUNT <= FIGURES_MOST, "all figures have a place");
-
-/** Writes a chart's files and has gnuplot draw it, as letters too where it is one for a terminal. */
-static enum status_code draw_one(struct chart *chart, bool terminal, struct mustache_folder *templates,
-                                 const struct figures_task *task, struct status *status)
-{
-    struct text directory = {0}, commands = {0};
-    text_add(&directory, "%s/figures", task->directory);
-    text_add(&commands, "load '%s.gp'\n", chart->name);
-    enum status_code rc = status->code;
-    if (rc == STATUS_OK)
-        rc = chart_write(chart, templates, text_string(&directory));
-    if (rc == STATUS_OK && terminal)
-        rc = chart_script(&commands, chart, templates, task->terminal_size);
-    if (rc == STATUS_OK)
-        gnuplot_send(task->gnuplot, text_string(&commands));
-    text_free(&directory);
-    text_free(&commands);
-    return rc;
-}
 
 /** The numbers of a chart's panels in chapter 6, which ascend; three or more in a row as from ... to. */
 static void put_numbers(char *out, size_t size, const struct chart *chart)
@@ -893,39 +871,111 @@ static void put_numbers(char *out, size_t size, const struct chart *chart)
     }
 }
 
+static void draw_file(const struct drawing *how, const char *name)
+{
+    struct text command = {0};
+    text_add(&command, "load '%s.gp'\n", name);
+    gnuplot_send(how->task->gnuplot, text_string(&command));
+    text_free(&command);
+}
+
+/** Writes the files of a chart with anything to see and has gnuplot draw it; with letters too for a `terminal`. */
+static void draw_one(struct figures *out, struct chart *chart, bool terminal, const struct drawing *how)
+{
+    struct text letters = {0};
+    chart_end(chart);
+    if (chart->blocks > 0 && chart_write(chart, how->templates, how->directory) == STATUS_OK) {
+        draw_file(how, chart->name);
+        if (terminal && chart_script(&letters, chart, how->templates, how->task->terminal_size) == STATUS_OK)
+            gnuplot_send(how->task->gnuplot, text_string(&letters));
+        snprintf(out->figure[out->count].name, FIGURE_NAME, "%s", chart->name);
+        out->figure[out->count].terminal = terminal;
+        out->figure[out->count].notes = chart->notes;
+        put_numbers(out->figure[out->count].numbers, sizeof out->figure->numbers, chart);
+        out->count++;
+    }
+    chart_free(chart);
+    text_free(&letters);
+}
+
+void figures_map_name(char *out, size_t size, const char *surface)
+{
+    static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-";
+    snprintf(out, size, "map-%s", surface);
+    for (char *c = out; *c; c++)
+        if (!strchr(letters, *c))
+            *c = '-';
+}
+
+/** Writes NAME.csv and NAME.gp of a map's heights with its contact, and of the pressure along a section. */
+static enum status_code write_map(const struct map_contact *contact, const struct material_pair *pair, const char *name,
+                                  const char *title, struct mustache_folder *templates, const char *directory)
+{
+    const size_t cells = contact->cells;
+    const double side_m = (double)cells * contact->cell_m;
+    const bool small = side_m < 1e-3; /* lengths from 1 mm on are in mm */
+    const bool flows = contact->flowed > 0;
+    const double length = small ? 1e6 : 1e3, cell = contact->cell_m * length,
+                 stress = pair->unknown ? 1 : pair->effective_modulus_Pa * 1e-6;
+    struct text script = {0}, data = {0};
+    text_add(&data, "%zu", cells); /* no column is computed in gnuplot, which takes 10 us for each value */
+    for (size_t i = 0; i < cells; i++)
+        text_add(&data, ",%.6g", ((double)i + 0.5) * cell);
+    for (size_t k = 0; k < cells * cells; k++) {
+        if (k % cells == 0)
+            text_add(&data, "\n%.6g", ((double)(k / cells) + 0.5) * cell);
+        text_add(&data, ",%.3g", contact->height_m[k] * 1e6);
+    }
+    text_add(&data, "\n\n\n");
+    for (size_t k = 0; k < cells * cells; k++)
+        text_add(&data, contact->is[k] ? "%zu,%zu,%d\n" : "%zu,%zu,NaN\n", k % cells, k / cells, contact->is[k]);
+    text_add(&data, "\n\n");
+    for (size_t i = 0; i < contact->points; i++)
+        text_add(&data, "%.6g,%.6g\n", (double)i * contact->spacing_m * length, contact->pressure[i] * stress);
+    json_t *view = json_pack("{ss so ss si sf sf sb sb}", "name", name, "title", json_shown(title), "length_unit",
+                             small ? "µm" : "mm", "cells", (int)cells, "side", side_m * length, "section",
+                             contact->section_m * length, "has_material", !pair->unknown, "flows", flows);
+    if (view && flows)
+        json_set(view, "hardness", pair->hardness_Pa / pair->effective_modulus_Pa * stress);
+    enum status_code rc =
+        view ? mustache_file(&script, templates, "charts/map", view, chart_escape) : status_memory(templates->status);
+    if (rc == STATUS_OK)
+        rc = text_save(&script, templates->status, "%s/%s.gp", directory, name);
+    if (rc == STATUS_OK)
+        rc = text_save(&data, templates->status, "%s/%s.csv", directory, name);
+    json_decref(view);
+    text_free(&script);
+    text_free(&data);
+    return rc;
+}
+
 /** The contact of the first maps that are shown, as many as a page can hold: map-NAME, what may be in a file's name of
  * it, and a number where another one has that too. */
-static enum status_code draw_maps(struct figures *out, const struct source *source, const struct figures_task *task,
-                                  struct mustache_folder *templates, struct status *status)
+static void draw_maps(struct figures *out, const struct source *source, const struct drawing *how)
 {
     const struct results *results = source->results;
-    size_t maps = 0;
-    for (size_t k = 0; k < results->shown_count && maps < FIGURES_MAPS && status->code == STATUS_OK; k++) {
-        const struct surface_record *record = &results->surfaces[results->shown[k]];
-        const struct asked_load load = asked_load_of(results, results->shown[k]);
+    for (size_t k = 0, maps = 0; k < results->shown_count && maps < FIGURES_MAPS; k++) {
+        const size_t surface = results->shown[k];
+        const struct surface_record *record = &results->surfaces[surface];
+        const struct asked_load load = asked_load_of(results, surface);
         char *name = out->figure[out->count].name;
-        struct text at = {0}, directory = {0}, commands = {0};
+        struct text at = {0};
         if (record->contact.cells == 0)
             continue;
-        map_picture_name(name, FIGURE_NAME, record->summary.scene->name);
+        maps++;
+        figures_map_name(name, FIGURE_NAME, record->summary.scene->name);
         for (size_t f = 0; f < out->count; f++)
             if (strcmp(out->figure[f].name, name) == 0)
-                snprintf(name, FIGURE_NAME, "map-%zu", maps + 1);
-        maps++;
+                snprintf(name, FIGURE_NAME, "map-%zu", maps);
         text_add(&at, "%s: ", record->summary.scene->name);
-        number_format(&at, load.scale * results_operating_load(results, results->shown[k]), 3);
+        number_format(&at, load.scale * results_operating_load(results, surface), 3);
         text_add(&at, " %s", load.unit);
-        text_add(&directory, "%s/figures", task->directory);
-        text_add(&commands, "load '%s.gp'\n", name);
-        if (map_picture_write(&record->contact, &record->summary.pair, name, text_string(&at), templates,
-                              text_string(&directory)) == STATUS_OK)
-            gnuplot_send(task->gnuplot, text_string(&commands));
-        out->figure[out->count++].map = results->shown[k] + 1;
+        if (write_map(&record->contact, &record->summary.pair, name, text_string(&at), how->templates,
+                      how->directory) == STATUS_OK)
+            draw_file(how, name);
+        out->figure[out->count++].map = surface + 1;
         text_free(&at);
-        text_free(&directory);
-        text_free(&commands);
     }
-    return status->code;
 }
 
 enum status_code figures_draw(struct figures *out, const struct results *results, const struct figures_task *task,
@@ -933,38 +983,37 @@ enum status_code figures_draw(struct figures *out, const struct results *results
 {
     struct source source = {.results = results,
                             .baseline = &results->surfaces[results->baseline],
+                            .leading = plan_leading_model(results->plan),
                             .asked = asked_of(results),
                             .words = task->words};
     const struct heating_metal *metal = heating_metal_find(scene_softer(&source.baseline->summary.scene->bodies)->name);
-    struct mustache_folder folder = {task->templates, ".gp", NULL, status};
-    source.leading = plan_leading_model(results->plan);
+    struct mustache_folder templates = {task->templates, ".gp", NULL, status};
+    struct text directory = {0};
+    text_add(&directory, "%s/figures", task->directory);
+    const struct drawing how = {task, &templates, text_string(&directory)};
     source.hottest_C = fmin(metal ? metal->melting_K - 273.15 : NAN, 1000);
-    for (size_t f = 0; f < FIGURE_ROWS + 2 * QUANTITY_COUNT && status->code == STATUS_OK; f++) {
-        const struct figure_row *row = f < FIGURE_ROWS ? &figure_rows[f] : NULL;
-        const enum quantity quantity = (enum quantity)(row ? 0 : (f - FIGURE_ROWS) / 2);
-        const struct quantity_panel *panel = &quantity_rows[quantity].panels[row ? 0 : (f - FIGURE_ROWS) % 2];
-        if ((!row && !(panel->file && panel->file[0])) || task->cost != (row && row->make == make_accuracy) ||
-            (task->brief && !(row && row->first_page)))
+    for (const struct figure_row *row = figure_rows; row < figure_rows + FIGURE_ROWS && status->code == STATUS_OK;
+         row++) {
+        if (task->cost != (row->make == make_accuracy) || (task->brief && !row->first_page))
             continue;
-        struct chart chart = chart_make(row ? row->name : panel->file);
-        if (row)
-            row->make(&chart, &source);
-        else
-            make_all_surfaces(&chart, &source, quantity, panel);
-        chart_end(&chart);
-        bool terminal = row && row->terminal && task->terminal_size;
-        if (chart.blocks > 0 && draw_one(&chart, terminal, &folder, task, status) == STATUS_OK) {
-            snprintf(out->figure[out->count].name, FIGURE_NAME, "%s", row ? row->name : panel->file);
-            out->figure[out->count].terminal = terminal;
-            out->figure[out->count].notes = chart.notes;
-            put_numbers(out->figure[out->count].numbers, sizeof out->figure->numbers, &chart);
-            out->count++;
-        }
-        chart_free(&chart);
+        struct chart chart = chart_make(row->name);
+        chart.panel_height = row->panel_height;
+        chart.shares = row->shares;
+        row->make(&chart, &source);
+        draw_one(out, &chart, row->terminal && task->terminal_size, &how);
     }
-    if (!task->cost && !task->brief)
-        (void)draw_maps(out, &source, task, &folder, status);
-    mustache_folder_free(&folder);
+    for (int p = 0; p < 2 * QUANTITY_COUNT && !task->cost && !task->brief && status->code == STATUS_OK; p++) {
+        const struct quantity_panel *panel = &quantity_rows[p / 2].panels[p % 2];
+        if (!panel->file || !panel->file[0])
+            continue;
+        struct chart chart = chart_make(panel->file);
+        make_all_surfaces(&chart, &source, (enum quantity)(p / 2), panel);
+        draw_one(out, &chart, false, &how);
+    }
+    if (!task->cost && !task->brief && status->code == STATUS_OK)
+        draw_maps(out, &source, &how);
+    text_free(&directory);
+    mustache_folder_free(&templates);
     return status->code;
 }
 

@@ -59,6 +59,9 @@ struct figures_task {
     bool cost; /* that of what accuracy costs, once that is known, instead of all others */
 };
 
+/** "map-" and of a surface's name, which may be anything, what stands in any file's name: ASCII letters and digits, -
+ * for others; cut to the size. */
+void figures_map_name(char *out, size_t size, const char *surface);
 /** Adds to `out`: writes DIRECTORY/figures/NAME.csv and NAME.gp of those that what ran calls for, and has gnuplot draw
  * each as SVG while this goes on: gnuplot_finish() says how that went. Errors: STATUS_IO, STATUS_MEMORY, those of
  * templates. */

@@ -35,26 +35,24 @@ struct named {
     size_t surface[NAMED], count;
 };
 
-/** What a function says of surfaces. */
+/** The range of a number over surfaces. */
 struct extent {
-    double least, most; /* infinite: it says nothing of any */
+    double least, most; /* infinite: no surface has a value */
     size_t at_most;
     struct named on;
 };
 
-/** What a row is asked about, claims.i: the baseline once, or each; of the usable surfaces the first of which it is so.
- */
+/** What claims.i counts for a row. Of surfaces, the first usable one that the claim holds for is told. */
 enum claim_about { ABOUT_BASELINE, ABOUT_SURFACES, ABOUT_TARGETS, ABOUT_LIMITS };
 
-/** A claim: said where `when` says so, which fills its numbers, and may take another key where the case is another. */
+/** A claim. `when` says whether it is made, fills in its numbers and may choose another key. */
 struct claim_row {
     const char *key;
-    enum claim_level level;
+    const char *level;
     bool (*when)(struct claims *c);
     enum claim_about about;
     bool melts;         /* heated() */
     enum effect effect; /* share(), with: */
-    double (*share)(const struct claims *c, size_t surface);
     const char *unit;
 };
 
@@ -99,7 +97,7 @@ static void add_name(struct named *named, size_t surface)
         named->surface[named->count - 1] = surface;
 }
 
-/** Of the usable surfaces of which `of` says something, and that below a limit. */
+/** The range of a number over the usable surfaces that have one below a limit. */
 static struct extent extent_of(const struct claims *c, double (*of)(const struct claims *c, size_t surface),
                                double below)
 {
@@ -118,7 +116,7 @@ static struct extent extent_of(const struct claims *c, double (*of)(const struct
 
 /* ---- What fills a sentence ---- */
 
-/** Numbers that claims name, as a sentence shows them. */
+/** How sentences show the numbers that claims name. */
 static const struct shown {
     const char *name;
     double scale; /* what is shown over SI */
@@ -138,7 +136,7 @@ static void put_text(struct claims *c, const char *name, const char *string)
     text_add_shown(&c->told, string);
 }
 
-/** "low to high" as shown, or one of them where both read alike; results.json has `numbers`. */
+/** "low to high", or one number where both look the same; results.json gets `numbers`. */
 static void put_shown(struct claims *c, const char *name, json_t *numbers, const double shown[2], int digits,
                       const char *unit)
 {
@@ -161,7 +159,7 @@ static void put_range(struct claims *c, const char *name, double low, double hig
     put_shown(c, name, json_numbers(ends, 2), ends, digits, unit);
 }
 
-/** One of shown_numbers. */
+/** As shown_numbers has it. */
 static void put(struct claims *c, const char *name, double value)
 {
     const struct shown *how = shown_numbers;
@@ -172,7 +170,7 @@ static void put(struct claims *c, const char *name, double value)
 
 static void put_count(struct claims *c, const char *name, size_t count)
 {
-    json_object_set_new(c->numbers, name, json_integer((json_int_t)count));
+    json_set_count(c->numbers, name, count);
     text_add(&c->told, "\n%s %zu", name, count);
 }
 
@@ -211,10 +209,25 @@ static bool put_names(struct claims *c, const struct named *named)
     return named->count > 0;
 }
 
-/** Of a value and its interval: two digits where that is wider than a factor 1.2 to either side. */
-static int digits_of(double low, double high)
+/** What surfaces are ordered by: the load that the target needs, else the answer; less is better. */
+static double cost_of(const struct claims *c, size_t surface)
 {
-    return high > 1.44 * low ? 2 : 3;
+    const struct known known = known_shown(c->results, &c->asked, c->asked.target, surface);
+    const bool more = !c->asked.target && c->asked.more_is_better;
+    if (known.kind == KNOWN_NOTHING || known.kind == (more ? KNOWN_AT_MOST : KNOWN_MORE_THAN))
+        return INFINITY;
+    return more ? -known.value : known.value;
+}
+
+/** The surface that costs least, of several such the first; or most, the last. */
+static size_t best_or_worst(const struct claims *c, bool worst)
+{
+    size_t out = usable(c, 0);
+    for (size_t k = 1; k < c->results->usable_count; k++) {
+        const double own = cost_of(c, usable(c, k)), found = cost_of(c, out);
+        out = (worst ? own >= found : own < found) ? usable(c, k) : out;
+    }
+    return out;
 }
 
 /* ---- What stops a reader ---- */
@@ -247,8 +260,8 @@ static bool beyond_hardness(struct claims *c)
     return model_rows[c->leading]->plastic && pressure_Pa >= pair->hardness_Pa;
 }
 
-/** Spots where the answer stands, by the model's own count or by spots all alike that have its area and resistance, the
- * fewer; at another load than the summary's as many more as that is larger. NaN: nothing counts them. */
+/** How many spots carry the answer's load: the model's count, or that of equal spots with the same area and resistance,
+ * whichever is fewer, in proportion to the load. NaN: not known. */
 static double spots_on(const struct claims *c, size_t surface)
 {
     const struct contact_point at = comparison_middle(c->results, c->leading, surface);
@@ -326,18 +339,19 @@ static bool loads_short(struct claims *c)
 
 /* ---- Verdicts ---- */
 
-/** A surface's measurement, and what it makes of the model. */
+/** A surface's measurement, and how far the model is from it. */
 static bool measured(struct claims *c)
 {
     if (!results_measured(c->results, c->i))
         return false;
     const struct estimate *fit = &c->results->answers[c->i].fit;
     const double factor = estimate_value(fit), low = estimate_end(fit, 0), high = estimate_end(fit, 1);
+    const int digits = known_digits(&(struct known){.low = low, .high = high});
     c->key = "measured-elsewhere";
     if (fit->count == 0)
         return true;
-    put_number(c, "factor", factor, factor, digits_of(low, high), "");
-    put_range(c, "interval", isfinite(low) ? low : factor, isfinite(high) ? high : factor, digits_of(low, high), "");
+    put_number(c, "factor", factor, factor, digits, "");
+    put_range(c, "interval", isfinite(low) ? low : factor, isfinite(high) ? high : factor, digits, "");
     c->key = "measured-beside";
     if (known_carried(c->results, results_measured_quantity(c->results), c->i) == 1)
         return true;
@@ -362,7 +376,7 @@ static bool not_flat(struct claims *c)
     return exponent->not_flat;
 }
 
-/** Is the area load over hardness on all surfaces, so that they cannot differ in it? */
+/** Is the area load over hardness on all surfaces? Then they cannot differ in it. */
 static bool area_pressed(struct claims *c)
 {
     if (c->asked.quantity != QUANTITY_AREA || c->results->usable_count < 2)
@@ -377,11 +391,11 @@ static bool area_pressed(struct claims *c)
     return true;
 }
 
-/** Does the ranking decide what the table shows: no number there is measured, which models do not rank, and none is
- * better than its first, of a surface that it leaves out since nothing is known of that one's scatter. */
+/** Does the ranking agree with the table? Not where a number there is measured, nor where a surface that is not ranked,
+ * as its scatter is unknown, is better than the first. */
 static bool ranking_holds(const struct claims *c)
 {
-    const struct comparison_ranking *ranking = &c->comparison->ranking;
+    const struct comparison *ranking = c->comparison;
     const bool rises = quantity_rows[ranking->criterion].is & QUANTITY_RISES;
     if (ranking->count < 2)
         return false;
@@ -394,10 +408,10 @@ static bool ranking_holds(const struct claims *c)
     return true;
 }
 
-/** Where the surfaces are not told apart by what stands in the table, or are. */
+/** Do the surfaces differ significantly? */
 static bool rank(struct claims *c)
 {
-    const struct comparison_ranking *ranking = &c->comparison->ranking;
+    const struct comparison *ranking = c->comparison;
     struct named like = {0};
     size_t next = 1;
     if (!ranking_holds(c) || area_pressed(c))
@@ -424,31 +438,24 @@ static bool rank(struct claims *c)
     return true;
 }
 
-/** A target beside the first: its load on the surface that takes the least. */
+/** A target beside the first: its load on the surface that needs the least. */
 static bool further_target(struct claims *c)
 {
     const struct scene_asked *target = &c->results->scene->targets[c->i];
-    struct known best = {.kind = KNOWN_NOTHING, .value = INFINITY};
-    size_t on = 0;
-    if (target == c->asked.target)
-        return false;
-    for (size_t k = 0; k < c->results->usable_count; k++) {
-        const struct known own = known_load(c->results, target, usable(c, k));
-        if ((own.kind == KNOWN_VALUE || own.kind == KNOWN_AT_MOST) && own.value < best.value) {
-            best = own;
-            on = usable(c, k);
-        }
-    }
+    struct claims of = *c;
+    of.asked.target = target;
+    const size_t on = best_or_worst(&of, false);
+    const struct known load = known_load(c->results, target, on),
+                       shown = known_shown(c->results, &of.asked, target, on);
     put_asked(c, "target", target);
     put_text(c, "symbol", target->symbol);
-    c->key = best.kind == KNOWN_NOTHING ? "target-never" : isnan(best.low) ? "target-alone" : "target";
-    if (best.kind == KNOWN_NOTHING)
-        return true;
-    const double scale = asked_load_of(c->results, on).scale;
+    c->key = isinf(cost_of(&of, on)) ? "target-never" : isnan(load.low) ? "target-alone" : "target";
+    if (target == c->asked.target || isinf(cost_of(&of, on)))
+        return target != c->asked.target;
     put_surface(c, on);
-    put_load(c, "load", on, best.value);
-    if (!isnan(best.low))
-        put_range(c, "interval", best.low * scale, best.high * scale, 2, "");
+    put_load(c, "load", on, load.value);
+    if (!isnan(load.low))
+        put_range(c, "interval", shown.low, shown.high, 2, "");
     return true;
 }
 
@@ -479,8 +486,8 @@ static bool further_limit(struct claims *c)
     return put_names(c, &on) && c->i >= ASKED_LIMIT_COLUMNS;
 }
 
-/** Scans of a surface beyond those there are, after which an interval of this standard deviation of one scan, and of a
- * model's own error, is shorter than a distance; 0: so many as are worth advising do not do it. */
+/** How many more scans make an interval in ln narrower than `distance` to either side, from the standard deviation of
+ * one scan and the model's own; 0: more than SCANS_MOST in all. */
 static size_t more_scans(double sd, double own, double distance, size_t scans)
 {
     for (size_t n = scans + 1; n <= SCANS_MOST; n++) {
@@ -491,7 +498,7 @@ static size_t more_scans(double sd, double own, double distance, size_t scans)
     return 0;
 }
 
-/** Of what decides: the first limit that is not decided, on the first surface that more scans would tell. */
+/** The first undecided limit, on the first surface where more scans would decide it. */
 static bool scans_to_decide(struct claims *c)
 {
     for (size_t l = 0; l < c->results->scene->limit_count; l++)
@@ -499,7 +506,7 @@ static bool scans_to_decide(struct claims *c)
             const struct surface_summary *s = summary_of(c, usable(c, k));
             const struct limit_check *check = &s->limits[l];
             const struct scene_asked *limit = &c->results->scene->limits[l];
-            const struct estimate *known = curve_summary_estimate(surface_model(s, c->leading), (int)limit->quantity);
+            const struct estimate *known = results_estimate(c->results, usable(c, k), limit->quantity);
             const double sd = known->count > 1 ? known->sd : known->s;
             if (check->verdict != LIMIT_UNDECIDED || !(sd > 0) || s->has_tiles)
                 continue;
@@ -518,8 +525,7 @@ static bool scans_to_decide(struct claims *c)
 /** The factor to either side of the interval of a modelled answer; NaN: it has none. */
 static double factor_on(const struct claims *c, size_t surface)
 {
-    const struct estimate *estimate =
-        curve_summary_estimate(surface_model(summary_of(c, surface), c->leading), (int)c->asked.quantity);
+    const struct estimate *estimate = results_estimate(c->results, surface, c->asked.quantity);
     return known_value(c->results, c->asked.quantity, surface).measured
                ? NAN
                : sqrt(estimate_end(estimate, 1) / estimate_end(estimate, 0));
@@ -533,8 +539,7 @@ static bool uncertainty(struct claims *c)
     if (!(factor.most > 1))
         return false;
     const size_t surface = factor.at_most;
-    const struct curve_summary *curve = surface_model(summary_of(c, surface), c->leading);
-    const struct estimate *known = curve_summary_estimate(curve, (int)c->asked.quantity);
+    const struct estimate *known = results_estimate(c->results, surface, c->asked.quantity);
     const double few = summary_of(c, surface)->has_tiles ? 0 : accuracy_few_waves_sd(c->results, surface),
                  own = model_sd(model_rows[c->leading], c->asked.quantity, surface_knows_both(summary_of(c, surface))),
                  ofs = known->model_sd * known->model_sd,
@@ -595,7 +600,7 @@ static double few_waves(const struct claims *c, size_t surface)
                : NAN;
 }
 
-/** What scans in another direction would make of the model's error, where a surface has none. */
+/** What the model's error would be with scans in a second direction, where a surface lacks them. */
 static bool one_direction(struct claims *c)
 {
     const struct model_row *leading = model_rows[c->leading];
@@ -661,8 +666,8 @@ static bool textbook(struct claims *c)
            curve_summary_is_valid(surface_model(summary_of(c, c->i), book), results_operating_load(c->results, c->i));
 }
 
-/** Is the roughest surface rougher than the smoothest one by more than chance: the mean square of w longest waves has
- * the relative standard deviation 1/sqrt(w), so ln Rq half of it; two of them? */
+/** Is the roughest surface rougher than the smoothest by two standard deviations? The mean square of w longest waves
+ * has the relative standard deviation 1/sqrt(w), ln Rq half of it. */
 static bool differ_in_roughness(const struct results *results)
 {
     const size_t ends[] = {results->by_roughness[0], results->by_roughness[results->usable_count - 1]};
@@ -681,27 +686,27 @@ static double modelled(const struct claims *c, size_t model, size_t k)
     return asked_shown(&c->asked, comparison_middle(c->results, model, usable(c, k)).value[c->asked.quantity]);
 }
 
-/** Most over least of a model's answers in order of roughness; *rises: each is above the one before. 0: one has none.
- */
-static double spread_of(const struct claims *c, size_t m, bool *rises)
+/** Most over least of a model's answers; negative: in order of roughness not each is above the one before. 0: a surface
+ * has none. */
+static double spread_of(const struct claims *c, size_t m)
 {
     double least = INFINITY, most = 0, before = -INFINITY;
-    *rises = true;
+    bool rises = true;
     for (size_t k = 0; k < c->results->usable_count; k++) {
         const double value = modelled(c, m, k);
         if (!(value > 0 && isfinite(value)))
             return 0;
-        *rises = *rises && value > before * (1 + c->results->scene->tolerance);
+        rises = rises && value > before * (1 + c->results->scene->tolerance);
         least = fmin(least, value);
         most = fmax(most, value);
         before = value;
     }
-    return most / least;
+    return (rises ? 1 : -1) * most / least;
 }
 
-/** Where the models of the thesis run on three surfaces or more: the one by which the answer rises most, and those by
- * which it does not rise at every step. All are of the leading model's material law: elastic answers of a surface that
- * yields are marked in their table, and prove nothing. */
+/** The model whose answer rises most with roughness, and those whose answer does not rise at every step, where the
+ * thesis's models run on three surfaces or more. Models of the leading one's material law alone: an elastic answer on a
+ * surface that yields proves nothing. */
 static bool by_roughness(struct claims *c)
 {
     const size_t count = c->results->usable_count;
@@ -711,14 +716,13 @@ static bool by_roughness(struct claims *c)
     bool all = count >= 3 && differ_in_roughness(c->results);
     for (size_t m = 0; all && m < model_count; m++) {
         const struct model_row *row = model_rows[m];
-        bool rises;
         all = row->thesis_place == 0 || plan_runs_model(c->results->plan, m);
         if ((row->thesis_place == 0 && m != c->leading) || row->plastic != model_rows[c->leading]->plastic)
             continue;
-        const double spread = spread_of(c, m, &rises);
-        if (spread > 0 && !rises)
+        const double spread = spread_of(c, m);
+        if (spread < 0)
             text_add(&others, "%s%s", others.length > 0 ? ", " : "", row->label);
-        if (rises && spread > widest) {
+        if (spread > widest) {
             widest = spread;
             steepest = m;
         }
@@ -734,38 +738,32 @@ static bool by_roughness(struct claims *c)
     return differ;
 }
 
-static double gap_share(const struct claims *c, size_t surface)
+/** What the row's effect makes of the answer on a surface, in the row's unit; NaN: nothing. */
+static double share_of(const struct claims *c, size_t surface)
 {
-    return nothing_touches(c, surface) ? NAN /* bond-line says it */
-                                       : 100 * answer(c, surface, QUANTITY_GAP) / answer(c, surface, QUANTITY_JOINT);
+    const struct scene *scene = c->results->scene;
+    const double carrying = summary_of(c, surface)->carrying;
+    switch (c->row->effect) {
+    case EFFECT_GAP: /* where nothing touches, bond-line says it */
+        return nothing_touches(c, surface)
+                   ? NAN
+                   : 100 * answer(c, surface, QUANTITY_GAP) / answer(c, surface, QUANTITY_JOINT);
+    case EFFECT_FILM:
+        return 100 * scene->joint.film_ohm_m2 / answer(c, surface, QUANTITY_AREA) /
+               answer(c, surface, QUANTITY_JOINT_ECR);
+    case EFFECT_PLATING:
+        return answer(c, surface, QUANTITY_PLATING_FACTOR);
+    case EFFECT_SHAPE:
+        return carrying > 0 ? 1e6 * carrying * scene->nominal_area_m2 : NAN;
+    default:
+        return answer(c, surface, QUANTITY_TEMPERATURE) - scene->joint.temperature_K;
+    }
 }
 
-static double film_share(const struct claims *c, size_t surface)
-{
-    return 100 * c->results->scene->joint.film_ohm_m2 / answer(c, surface, QUANTITY_AREA) /
-           answer(c, surface, QUANTITY_JOINT_ECR);
-}
-
-static double plating_factor(const struct claims *c, size_t surface)
-{
-    return answer(c, surface, QUANTITY_PLATING_FACTOR);
-}
-
-static double carrying_mm2(const struct claims *c, size_t surface)
-{
-    const double share = summary_of(c, surface)->carrying;
-    return share > 0 ? 1e6 * share * c->results->scene->nominal_area_m2 : NAN;
-}
-
-static double rise_K(const struct claims *c, size_t surface)
-{
-    return answer(c, surface, QUANTITY_TEMPERATURE) - c->results->scene->joint.temperature_K;
-}
-
-/** What an effect that runs makes of the answer, from the least to the most over all surfaces. */
+/** How much of the answer an effect makes, from the least to the most over all surfaces. */
 static bool share(struct claims *c)
 {
-    const struct extent extent = extent_of(c, c->row->share, INFINITY);
+    const struct extent extent = extent_of(c, share_of, INFINITY);
     put_range(c, "share", extent.least, extent.most, 2, c->row->unit);
     put(c, "nominal", c->results->scene->nominal_area_m2);
     put(c, "current", c->results->scene->joint.current_A);
@@ -799,7 +797,7 @@ static bool hardness(struct claims *c)
     return thickness_m > 0 && runs(c, EFFECT_PLASTICITY);
 }
 
-/** Files that hold the heights of one before, which are no evidence of their own. */
+/** Files with the same heights as an earlier one, which are no further evidence. */
 static bool duplicates(struct claims *c)
 {
     size_t copies = 0, first = 0;
@@ -827,43 +825,40 @@ static bool needs(struct claims *c)
 
 /* ---- The table ---- */
 
-static const char *const levels[] = {[CLAIM_STOP] = "stop",
-                                     [CLAIM_VERDICT] = "verdict",
-                                     [CLAIM_UNCERTAINTY] = "uncertainty",
-                                     [CLAIM_CONTEXT] = "context"};
+static const char stop[] = "stop", verdict[] = "verdict", unsure[] = "uncertainty", context[] = "context";
 
 static const struct claim_row rows[] = {
-    {"refused", CLAIM_STOP, .when = refused},
-    {"beyond-hardness", CLAIM_STOP, beyond_hardness, .about = ABOUT_SURFACES},
-    {"few-spots", CLAIM_STOP, .when = few_spots},
-    {"softens", CLAIM_STOP, heated, .about = ABOUT_SURFACES},
-    {"melts", CLAIM_STOP, heated, .about = ABOUT_SURFACES, .melts = true},
-    {"bond-line", CLAIM_STOP, bond_line, .about = ABOUT_SURFACES},
-    {"bond-line-missing", CLAIM_STOP, .when = bond_line_missing},
-    {"loads-short", CLAIM_STOP, loads_short, .about = ABOUT_SURFACES},
-    {"measured", CLAIM_VERDICT, measured, .about = ABOUT_SURFACES},
-    {"not-flat", CLAIM_VERDICT, not_flat, .about = ABOUT_SURFACES},
-    {"rank", CLAIM_VERDICT, .when = rank},
-    {"area-pressed", CLAIM_VERDICT, .when = area_pressed},
-    {"target", CLAIM_VERDICT, further_target, .about = ABOUT_TARGETS},
-    {"limit", CLAIM_VERDICT, further_limit, .about = ABOUT_LIMITS},
-    {"scans-to-decide", CLAIM_VERDICT, .when = scans_to_decide},
-    {"uncertainty", CLAIM_UNCERTAINTY, .when = uncertainty},
-    {"not-flat-assumed", CLAIM_UNCERTAINTY, .when = not_flat_assumed},
-    {"one-direction", CLAIM_UNCERTAINTY, .when = one_direction},
-    {"short-scans", CLAIM_UNCERTAINTY, .when = short_scans},
-    {"direct", CLAIM_CONTEXT, .when = direct},
-    {"textbook", CLAIM_CONTEXT, .when = textbook},
-    {"by-roughness", CLAIM_CONTEXT, .when = by_roughness},
-    {"shares-gap", CLAIM_CONTEXT, share, .effect = EFFECT_GAP, .share = gap_share, .unit = "%"},
-    {"shares-film", CLAIM_CONTEXT, share, .effect = EFFECT_FILM, .share = film_share, .unit = "%"},
-    {"shares-plating", CLAIM_CONTEXT, share, .effect = EFFECT_PLATING, .share = plating_factor, .unit = ""},
-    {"shares-shape", CLAIM_CONTEXT, share, .effect = EFFECT_SHAPE, .share = carrying_mm2, .unit = "mm²"},
-    {"heating", CLAIM_CONTEXT, share, .effect = EFFECT_HEATING, .share = rise_K, .unit = "K"},
-    {"chosen", CLAIM_CONTEXT, .when = chosen},
-    {"hardness", CLAIM_CONTEXT, .when = hardness},
-    {"duplicates", CLAIM_CONTEXT, .when = duplicates},
-    {"needs", CLAIM_CONTEXT, .when = needs},
+    {"refused", stop, .when = refused},
+    {"beyond-hardness", stop, beyond_hardness, .about = ABOUT_SURFACES},
+    {"few-spots", stop, .when = few_spots},
+    {"softens", stop, heated, .about = ABOUT_SURFACES},
+    {"melts", stop, heated, .about = ABOUT_SURFACES, .melts = true},
+    {"bond-line", stop, bond_line, .about = ABOUT_SURFACES},
+    {"bond-line-missing", stop, .when = bond_line_missing},
+    {"loads-short", stop, loads_short, .about = ABOUT_SURFACES},
+    {"measured", verdict, measured, .about = ABOUT_SURFACES},
+    {"not-flat", verdict, not_flat, .about = ABOUT_SURFACES},
+    {"rank", verdict, .when = rank},
+    {"area-pressed", verdict, .when = area_pressed},
+    {"target", verdict, further_target, .about = ABOUT_TARGETS},
+    {"limit", verdict, further_limit, .about = ABOUT_LIMITS},
+    {"scans-to-decide", verdict, .when = scans_to_decide},
+    {"uncertainty", unsure, .when = uncertainty},
+    {"not-flat-assumed", unsure, .when = not_flat_assumed},
+    {"one-direction", unsure, .when = one_direction},
+    {"short-scans", unsure, .when = short_scans},
+    {"direct", context, .when = direct},
+    {"textbook", context, .when = textbook},
+    {"by-roughness", context, .when = by_roughness},
+    {"shares-gap", context, share, .effect = EFFECT_GAP, .unit = "%"},
+    {"shares-film", context, share, .effect = EFFECT_FILM, .unit = "%"},
+    {"shares-plating", context, share, .effect = EFFECT_PLATING, .unit = ""},
+    {"shares-shape", context, share, .effect = EFFECT_SHAPE, .unit = "mm²"},
+    {"heating", context, share, .effect = EFFECT_HEATING, .unit = "K"},
+    {"chosen", context, .when = chosen},
+    {"hardness", context, .when = hardness},
+    {"duplicates", context, .when = duplicates},
+    {"needs", context, .when = needs},
 };
 enum { ROWS = sizeof rows / sizeof *rows };
 
@@ -876,7 +871,7 @@ static struct claims begin(const struct results *results, const struct compariso
                            .leading = plan_leading_model(results->plan)};
 }
 
-/** The next claim, of which nothing is told; NULL: none follows. */
+/** Begins the next claim; NULL: there is none. */
 static void start(struct claims *c, const struct claim_row *row, size_t i)
 {
     json_decref(c->numbers);
@@ -911,8 +906,8 @@ static void add_both(struct claims *c, const char *string)
     text_add(&c->markdown, "%s", string);
 }
 
-/** Puts the claim behind those of its level that weigh as much; one that weighs more than the whole interval before
- * all. */
+/** Puts the claim behind those of its level with as much weight or more; one that weighs more than the whole interval
+ * goes first of all. */
 static void insert(json_t *list, double *weights, const struct claims *c, size_t level_first, double interval)
 {
     const size_t count = json_array_size(list);
@@ -923,9 +918,9 @@ static void insert(json_t *list, double *weights, const struct claims *c, size_t
     memmove(weights + at + 1, weights + at, (count - at) * sizeof *weights);
     weights[at] = c->weight;
     json_array_insert_new(list, at,
-                          json_pack("{s:s, s:s, s:O?, s:O, s:s, s:s}", "key", c->key, "level", levels[c->row->level],
-                                    "surface", c->surface, "numbers", c->numbers, "text", text_string(&c->text),
-                                    "markdown", text_string(&c->markdown)));
+                          json_pack("{s:s, s:s, s:O?, s:O, s:s, s:s}", "key", c->key, "level", c->row->level, "surface",
+                                    c->surface, "numbers", c->numbers, "text", text_string(&c->text), "markdown",
+                                    text_string(&c->markdown)));
 }
 
 enum status_code claims_make(json_t **out, const struct results *results, const struct comparison *comparison,
@@ -965,25 +960,6 @@ enum status_code claims_make(json_t **out, const struct results *results, const 
 
 /* ---- The headline ---- */
 
-static struct known known_of(const struct claims *c, size_t surface)
-{
-    return c->asked.target ? known_load(c->results, c->asked.target, surface)
-                           : known_asked(c->results, &c->asked, surface);
-}
-
-/** What surfaces are ordered by: the load that the target needs, else the answer; less is better. */
-static double cost_of(const struct claims *c, size_t surface)
-{
-    const struct known known = known_of(c, surface);
-    if (known.kind == KNOWN_NOTHING ||
-        known.kind == (!c->asked.target && c->asked.more_is_better ? KNOWN_AT_MOST : KNOWN_MORE_THAN))
-        return INFINITY;
-    if (c->asked.target)
-        return known.value * asked_load_of(c->results, surface).scale;
-    const double shown = asked_shown(&c->asked, known.value);
-    return c->asked.more_is_better ? -shown : shown;
-}
-
 static void tell(struct claims *c, const char *name, double shown, int digits)
 {
     text_add(&c->told, "\n%s ", name);
@@ -996,21 +972,17 @@ static bool add_part(struct claims *c, const char *before, size_t surface)
     static const char *const kinds[] = {
         [KNOWN_NOTHING] = "never", [KNOWN_VALUE] = "is", [KNOWN_AT_MOST] = "most", [KNOWN_MORE_THAN] = "more"};
     const bool target = c->asked.target;
+    const struct known known = known_shown(c->results, &c->asked, c->asked.target, surface);
     const struct asked_load load = asked_load_of(c->results, surface);
-    const struct known known = known_of(c, surface);
-    double ends[2] = {known.low * load.scale, known.high * load.scale};
-    if (!target)
-        asked_ends(ends, &c->asked, (const double[]){known.low, known.high});
-    const bool is = known.kind == KNOWN_VALUE, has = is && isfinite(ends[0]) && isfinite(ends[1]);
+    const bool is = known.kind == KNOWN_VALUE, has = is && isfinite(known.low) && isfinite(known.high);
     char name[80];
     add_both(c, before);
     text_free(&c->told);
     put_surface(c, surface);
     put_text(c, "unit", !target ? c->asked.unit : load.unit[0] ? load.unit : "E′Aₙ");
-    tell(c, "value", target ? known.value * load.scale : asked_shown(&c->asked, known.value),
-         has ? digits_of(ends[0], ends[1]) : 3);
-    tell(c, "low", ends[0], 2);
-    tell(c, "high", ends[1], 2);
+    tell(c, "value", known.value, is ? known_digits(&known) : 3);
+    tell(c, "low", known.low, 2);
+    tell(c, "high", known.high, 2);
     snprintf(name, sizeof name, "headline.%s-%s%s", target ? "load" : "value", kinds[known.kind],
              is && known.measured ? "-measured"
              : has                ? "-interval"
@@ -1023,12 +995,7 @@ enum status_code claims_headline(json_t **out, const struct results *results, co
 {
     struct claims c = begin(results, comparison, words);
     const char *const name = c.asked.target ? "headline.load" : "headline.value";
-    size_t ends[2] = {results->by_roughness[0], results->by_roughness[0]};
-    for (size_t k = 1; k < results->usable_count; k++) {
-        const size_t i = usable(&c, k);
-        ends[0] = cost_of(&c, i) < cost_of(&c, ends[0]) ? i : ends[0];
-        ends[1] = cost_of(&c, i) >= cost_of(&c, ends[1]) ? i : ends[1];
-    }
+    size_t ends[] = {best_or_worst(&c, false), best_or_worst(&c, true)};
     if (ends[0] == ends[1] && results->usable_count > 1) /* all alike: the first and the last */
         ends[1] = usable(&c, results->usable_count - 1);
     c.numbers = json_object();

@@ -8,8 +8,6 @@
 #include "results/asked.h"
 #include "results/comparison.h"
 
-enum claim_level { CLAIM_STOP, CLAIM_VERDICT, CLAIM_UNCERTAINTY, CLAIM_CONTEXT };
-
 /** The claims of a run, new: objects of `key`, `level`, `surface` (null: of several, or of none), `numbers` (SI),
  * `text`, and `markdown`, the same with its marks and with names escaped. Level after level; within one the largest
  * factor first. Errors: the words' (STATUS_USAGE), STATUS_MEMORY. */

@@ -19,7 +19,7 @@ const struct argp command_init_argp = {
         "(x, y; 0, 90; across, along; q, l; perp, par) as scans in two, and, behind a #, "
         "the units where a file has none, material, loads and targets, to be filled in."};
 
-/** What a text holds, inside the double quotes of YAML. What may not be shown is written out as YAML has it, too. */
+/** Adds a text inside the double quotes of YAML, where characters that may not be shown are escaped in the same way. */
 static void add_quoted(struct text *out, const char *string)
 {
     while (*string) {
@@ -30,7 +30,7 @@ static void add_quoted(struct text *out, const char *string)
     }
 }
 
-/** A path as a scene can say it; NULL: it is no UTF-8, or has control characters. */
+/** A path that a scene can name; NULL: it is no UTF-8, or has control characters. */
 static json_t *path_json(const char *path)
 {
     for (const char *c = path; *c; c++)
@@ -39,7 +39,7 @@ static json_t *path_json(const char *path)
     return json_string(path);
 }
 
-/** What the first scan of a surface lacks to be read: units, or else the reason why it cannot be. */
+/** Adds the units that the first scan of a surface lacks, or else the reason why it cannot be read. */
 static void add_lacks(json_t *view, const char *path)
 {
     struct scan scan;
@@ -81,7 +81,7 @@ static enum status_code add_surface(json_t *view, const struct scene *scene, con
     return one && path ? status->code : status_memory(status);
 }
 
-/** Do the names say that two surfaces, each of a sub-directory, are the two sides of a joint? */
+/** Do the names of two sub-directories suggest the two sides of a joint? */
 static bool are_mates(const struct scene_surface *one, const struct scene_surface *other)
 {
     static const char *const pairs[][2] = {
@@ -96,7 +96,7 @@ static bool are_mates(const struct scene_surface *one, const struct scene_surfac
     return are;
 }
 
-/** Proposes the first two surfaces that are mates as each other's. */
+/** Proposes the first two such surfaces as the sides of a joint. */
 static void add_mates(json_t *view, const struct scene *scene)
 {
     const json_t *surfaces = json_object_get(view, "surfaces");

@@ -77,7 +77,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
     return 0;
 }
 
-/** Prints the profile as a chart of text, sized to the terminal. */
+/** Prints the profile as a chart of characters, as wide as the terminal. */
 static enum status_code draw(const struct profile *profile, struct status *status)
 {
     enum { MOST = 400 }; /* points; no terminal shows more */
@@ -125,7 +125,7 @@ static enum status_code draw(const struct profile *profile, struct status *statu
 
 enum { REFUSALS_SAID = 10 }; /* more are counted */
 
-/** What was looked at so far. */
+/** The scans so far. */
 struct outcome {
     json_t *all;
     struct mustache_folder templates; /* of what is printed */
@@ -163,7 +163,7 @@ static void show(struct outcome *outcome, const struct arguments *arguments, con
         command_complain("no chart: ", chart.message);
 }
 
-/** The scans of a file, or of standard input where it is called "-": one, but for archives. */
+/** Inspects the scans of a file (an archive may have several), or of standard input, called "-". */
 static void inspect_file(struct outcome *outcome, const struct arguments *arguments, const char *path,
                          struct scan_options how)
 {
@@ -195,7 +195,7 @@ static void inspect_file(struct outcome *outcome, const struct arguments *argume
     text_free(&text);
 }
 
-/** Where the command line says nothing the scene does. */
+/** The command line's options, else the scene's. */
 static struct scan_options options_of(const struct arguments *arguments, const struct scene_surface *surface)
 {
     struct scan_options how = arguments->scan;
@@ -208,7 +208,7 @@ static struct scan_options options_of(const struct arguments *arguments, const s
     return how;
 }
 
-/** The scans of a directory, as a report would read them. */
+/** Inspects the scans of a directory, as a report would read them. */
 static void inspect_directory(struct outcome *outcome, const struct arguments *arguments, const char *path)
 {
     struct status status = {0};

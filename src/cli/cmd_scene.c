@@ -33,7 +33,7 @@ enum {
     KEY_ACCURACY
 };
 
-/* What both take: the directory, and what overrides its scene. */
+/* Options of both, which override the scene. */
 static const struct argp_option scene_options[] = {
     {"material", 'm', "MATERIAL", 0, "a built-in material (default: the scene's, else none)", 1},
     {"effects", 'e', "EFFECTS", 0,
@@ -150,7 +150,7 @@ static error_t parse_report(int key, char *value, struct argp_state *state)
     return 0;
 }
 
-/** A line that overwrites itself: the stage, and from its first step on how long it still takes. */
+/** A line that is overwritten: the stage and, from its first step on, the time left. */
 static void progress(const char *stage, const char *name, double done, double all)
 {
     static double started;
@@ -199,7 +199,7 @@ static void print_times(const struct run_times *times)
         fprintf(stderr, "%-30s %7.1f MB\n", "largest memory", (double)usage.ru_maxrss / 1024);
 }
 
-enum { STOP_MS = 300 }; /* for a run that a signal stops to end in order */
+enum { STOP_MS = 300 }; /* time for a run to end in order after a signal */
 
 /** Prints the message, also as JSON where that is asked for, and returns the exit status. */
 static int fail(const struct arguments *arguments, const struct run_outcome *outcome, const struct status *status)
@@ -222,7 +222,8 @@ static int report(char **written, struct arguments *arguments, struct scene *sce
     arguments->run.outline = arguments->json;
     arguments->run.stop = signals_stop(STOP_MS);
     arguments->run.progress = isatty(STDERR_FILENO) ? progress : NULL;
-    signal(SIGPIPE, SIG_IGN); /* who reads the output may go: the report is still made, and command_finish() says so */
+    signal(SIGPIPE,
+           SIG_IGN); /* without a reader of the output the report is still made, and command_finish() says so */
     enum status_code rc = run_report(&outcome, scene, &arguments->run, status);
     if (rc != STATUS_INTERRUPTED)
         fputs(text_string(&outcome.messages), stderr);
@@ -237,7 +238,7 @@ static int report(char **written, struct arguments *arguments, struct scene *sce
         if (arguments->check && outcome.missed_count + outcome.undecided_count > 0) {
             fputs(text_string(&outcome.missed), stderr);
             fputs(text_string(&outcome.undecided), stderr);
-            /* the refused are named too, but this is what was asked */
+            /* refused scans are named too, but the check is what was asked for */
             exit_status = outcome.missed_count > 0 ? COMMAND_MISSED : COMMAND_UNDECIDED;
         }
         if (arguments->verbose) {
@@ -357,7 +358,7 @@ int command_plan(int argc, char **argv)
     double seconds = rc == STATUS_OK ? work_seconds(results, threads_number(&threads, SIZE_MAX)) : 0;
     if (rc == STATUS_OK && !arguments.json)
         add_plan(&table, results, seconds);
-    if ((rc = status.code) == STATUS_OK) /* else perhaps for want of a word */
+    if ((rc = status.code) == STATUS_OK) /* words.txt may lack a line */
         fputs(text_string(&table), stdout);
     size_t left_out = messages_left_out(&prepared);
     int exit_status = rc != STATUS_OK ? command_fail(&status) : refused + left_out > 0 ? COMMAND_REFUSED : COMMAND_DONE;

@@ -80,7 +80,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
     return 0;
 }
 
-/** Cut from a surface that closes and is twice as long a side, so that this one does not. */
+/** A quarter of a periodic surface with sides twice as long, so that the map is not periodic. */
 static enum status_code make_map(double *height_m, const struct synth_def *def, struct status *status)
 {
     const size_t n = def->points, all = 2 * n;
@@ -104,7 +104,7 @@ static enum status_code make_map(double *height_m, const struct synth_def *def, 
     return rc;
 }
 
-/** Adds the lowest bytes of a number, the least first. */
+/** Adds the lowest `bytes` of a number, little-endian. */
 static void add_bytes(struct text *out, uint64_t bits, int bytes)
 {
     for (int b = 0; b < bytes; b++)

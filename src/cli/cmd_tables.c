@@ -26,8 +26,7 @@ const struct argp command_models_argp = {
 const struct argp command_materials_argp = {
     .options = options, .parser = parse, .doc = "The built-in materials, platings and fillers, and their sources."};
 
-/** Prints the rows as JSON; or as text: of each its name, and below it the words and numbers that it has. Returns the
- * exit status. */
+/** Prints the rows as JSON, or as text: a name and below it texts and numbers. Returns the exit status. */
 static int print(json_t *rows, bool as_json)
 {
     struct text text = {0};

@@ -76,10 +76,10 @@ enum status_code command_write(const char *path, const struct text *content, boo
 void command_parse(const struct argp *argp, int argc, char **argv, void *input)
 {
     char help[] = "--help";
-    if (argc > 1 && strcmp(argv[1], "-h") == 0) /* of which argp knows the long one */
+    if (argc > 1 && strcmp(argv[1], "-h") == 0) /* argp only knows --help */
         argv[1] = help;
     for (int i = 1; i < argc && strcmp(argv[i], "--") != 0; i++) {
-        struct text shown = {0}; /* getopt repeats what it does not know as it is */
+        struct text shown = {0}; /* getopt prints unknown options as they are */
         text_add_shown(&shown, argv[i]);
         bool plain = strcmp(text_string(&shown), argv[i]) == 0;
         if (*argv[i] == '-' && !plain) {

@@ -9,22 +9,22 @@
 
 #include <argp.h>
 
-/** Exit statuses of every command (docs/commands.md; command_statuses says them). */
+/** Exit statuses of every command (docs/commands.md). */
 enum command_exit {
     COMMAND_DONE = 0,
-    COMMAND_REFUSED = 1, /* a report was written, but some scan was refused */
+    COMMAND_REFUSED = 1, /* a report was written, but a scan was refused */
     COMMAND_USAGE = 2,
     COMMAND_SCENE = 3,
     COMMAND_NOTHING = 4,   /* nothing could be reported, or not on standard output */
-    COMMAND_MISSED = 5,    /* report --check: a report was written, but a surface misses a limit */
-    COMMAND_UNDECIDED = 6, /* report --check: none misses one, but of one it is undecided, or no value is known */
+    COMMAND_MISSED = 5,    /* report --check: a surface misses a limit */
+    COMMAND_UNDECIDED = 6, /* report --check: none is missed, but one is undecided or has no value */
     COMMAND_STATUSES,
 };
 
-/** What each of them means. */
+/** Their meanings. */
 extern const char *const command_statuses[COMMAND_STATUSES];
 
-/** Of one command, argv[0] being "roughcontact NAME", or of all: returns the exit status. */
+/** A command, argv[0] being "roughcontact NAME", or the program. Returns the exit status. */
 typedef int command_run(int argc, char **argv);
 
 struct command_row {
@@ -46,66 +46,60 @@ command_run command_report, command_direct, command_plan, command_compare, comma
 extern const struct argp command_report_argp, command_direct_argp, command_plan_argp, command_inspect_argp,
     command_init_argp, command_compare_argp, command_synth_argp, command_models_argp, command_materials_argp;
 
-/** Reads the command line, to the end of the program where it is wrong (COMMAND_USAGE) or asks for help. */
+/** Reads the command line; ends the program where it is wrong (COMMAND_USAGE) or asks for help. */
 void command_parse(const struct argp *argp, int argc, char **argv, void *input);
-/** A parser, or the end of one: takes the one directory that a command is about, a const char * with which the input
- * begins. */
+/** A parser, or the end of one: takes the directory of a command, a const char * at the beginning of the input. */
 error_t command_directory(int key, char *value, struct argp_state *state);
 
-/** Prints "roughcontact: `what``message`" as one line on stderr; what a terminal might act upon comes out as '?'. */
+/** Prints "roughcontact: `what``message`" as one line on stderr, characters that may not be shown written out. */
 void command_complain(const char *what, const char *message);
 
-/** Prints the message in the same way and returns the exit status that goes with the code. */
+/** Prints the message in the same way and returns the exit status of its code. */
 int command_fail(const struct status *status);
 
-/** What is installed as share/roughcontact/`name` beside the program's bin. Error: STATUS_IO. */
+/** The path of share/roughcontact/`name` beside the program's bin. Error: STATUS_IO. */
 MUST_CHECK enum status_code command_share(struct text *out, const char *name, struct status *status);
 
-/** Writes a file whole or not at all: in a hidden directory beside it, from where it takes its place; `fresh`: and
- * never that of another. A pipe or a device is written to. Error: STATUS_IO. */
+/** Writes a file whole or not at all: in a hidden directory beside it, then moved to its place; `fresh`: it never
+ * replaces another. A pipe or a device is written to. Error: STATUS_IO. */
 MUST_CHECK enum status_code command_write(const char *path, const struct text *content, bool fresh,
                                           struct status *status);
 
-/** The length [m], above 0, that option `name` gives: 0.8mm, 8 um, or a plain number in m; ends the program where it is
- * none. */
+/** The length [m], above 0, of option `name`: 0.8mm, 8 um, or a number in m. Ends the program where it is none. */
 double command_length(const char *name, const char *value, struct argp_state *state);
 
 /** Columns and rows of the terminal on stdout, else of $COLUMNS and $LINES, else 100 x 30. */
 void command_terminal_size(int *columns, int *rows);
 
-/** Flushes stdout. Returns `exit_status`, or says that not all could be printed and, where it was `written`, in which
- * file the report is. */
+/** Flushes stdout. Returns `exit_status`; or says that not all was printed, and where the report was `written`. */
 int command_finish(int exit_status, const char *written);
 
-/** Prints a value (docs/commands.md) to stdout, numbers with 17 digits; takes it over. command_finish() says whether
- * that went well. */
+/** Prints a value (docs/commands.md) to stdout, numbers with 17 digits; frees it. command_finish() reports failures. */
 void command_json_print(json_t *json);
 
 /* What `report`, `direct` and `plan` print with --json (docs/commands.md). */
 
-/** What came out of a report on `directory`: `outcome` NULL where it did not begin, `error` NULL where there is one. */
+/** The outcome of a report on `directory`: `outcome` NULL where it did not begin, `error` NULL where it was written. */
 void scene_json_print_report(const struct run_outcome *outcome, const char *directory, int exit_status,
                              const char *error);
 
-/** The plan of a report, and roughly how long that takes: `results` NULL where there is none, and `error` says why. */
+/** The plan of a report, and roughly how long it takes: `results` NULL where there is none, and `error` says why. */
 void scene_json_print_plan(const struct results *results, double rough_seconds, const char *directory,
                            const char *messages, int exit_status, const char *error);
 
-/* How a signal ends the program: in order where it soon comes to that, else at once, and never with anything left. */
+/* How a signal ends the program: in order if that is quick, else at once, and nothing temporary is left. */
 
-/** Runs the program, `body`, on a thread of its own and returns its exit status. SIGINT, SIGTERM and SIGHUP (those that
- * are not ignored) are taken by the thread that calls, so that nothing the other does can delay them: on the first one
- * the other programs that run are stopped, and once the body has had the time that it asked for, or on the second one,
- * everything of base/temporary.h is removed, one line says so, and the program ends by that signal; so it does as well
- * where the body returns after one. Before: standard streams that are closed become ones that cannot be used, so that
- * no file takes their numbers, and files too large for the limits become errors. */
+/** Runs the program, `body`, on a thread of its own and returns its exit status. The calling thread takes SIGINT,
+ * SIGTERM and SIGHUP unless they are ignored. On the first one it stops the other programs that run. When the body
+ * returns, or its time (signals_stop()) is over, or on a second signal, it removes everything of base/temporary.h, says
+ * so in one line, and ends the program by that signal. Before that, closed standard streams are opened as unusable
+ * ones, so that no file gets their numbers, and too large files become errors. */
 int signals_run(command_run *body, int argc, char **argv);
 
-/** Becomes true when a signal has come. Whoever asks for it looks at it, and gets `milliseconds` from then on to
- * end in order; else there are none. */
+/** Becomes true when a signal has come. Who asks must look at it, and then has `milliseconds` to end in order. */
 const atomic_bool *signals_stop(int milliseconds);
 
-/** Is it for the caller to say that a signal has come? True once, false from then on. */
+/** True once: the caller is the one to say that a signal has come. */
 bool signals_first_word(void);
 
 #endif

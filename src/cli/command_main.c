@@ -72,7 +72,7 @@ static int run(int argc, char **argv)
     return command_rows[which].run(argc, argv);
 }
 
-/** For jansson, of whose trees not every branch is asked whether it came about. */
+/** For jansson, since not every allocation in a JSON tree is checked. */
 static void *allocate(size_t size)
 {
     void *made = malloc(size);

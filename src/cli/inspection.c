@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/** What the low-pass of a report would take of the map: says so, as its note does. */
+/** Warns where a report would low-pass the map, with the effect on Sq and slope. */
 static enum status_code look_at_low_pass(struct inspection *out, struct status *status)
 {
     struct scan scan = out->scan;
@@ -70,7 +70,7 @@ static enum status_code compute_parameters(struct inspection *out, struct status
     return status->code;
 }
 
-/** The law as a report would fit it; no filter has cut a map. */
+/** Fits the law as a report would; a map was not filtered. */
 static enum status_code fit_law(struct inspection *out, struct status *status)
 {
     bool map = out->scan.kind == SCAN_AREAL;
@@ -226,7 +226,7 @@ static void show_parameters(json_t *list, const struct parameters *parameters)
     json_array_append_new(list, item);
 }
 
-/** Lengths of the record in um besides. */
+/** Adds the record's lengths in um, too. */
 static void show_lengths(json_t *view)
 {
     json_t *lengths = json_object(), *value;
@@ -251,7 +251,7 @@ json_t *inspection_view(const char *path, const struct inspection *f)
     show_lengths(view);
     show(view, "length_mm", f->length_m * 1e3, 6);
     show(view, "m2", f->roughness.m2, 6);
-    const double sdq = f->areal.surface.sdq; /* of a map the surface's, which a row along the lay has not */
+    const double sdq = f->areal.surface.sdq; /* a map's rows along the lay would have a smaller slope */
     show(view, "slope", cmy_slope(f->scan.kind == SCAN_AREAL ? sdq * sdq / 2 : f->roughness.m2), 6);
     if (f->scan.kind == SCAN_AREAL) {
         show(view, "ssk", round(1e3 * f->areal.surface.ssk) / 1e3 + 0.0, 4); /* no -0 */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What `inspect` finds out about one file. */
+/* What `inspect` finds in a file. */
 #ifndef CLI_INSPECTION_H
 #define CLI_INSPECTION_H
 
@@ -9,11 +9,11 @@
 
 #include <jansson.h>
 
-/** Figures of a profile: over its least-squares line (or as `options` says); of uneven points without a filter: at the
- * points as measured, not where they are interpolated. Of a map: its heights over the plane, its rows as profiles. */
+/** Figures of a profile, over its least-squares line (or as `options` says); of uneven points without a filter at the
+ * measured points, not the interpolated ones. Of a map, its heights over the plane and its rows as profiles. */
 struct inspection {
     struct scan scan;
-    struct profile profile; /* of a map its middle row, for a chart; empty if that is none */
+    struct profile profile; /* of a map its middle row, for a chart, if it is usable */
     struct areal areal;
     struct roughness roughness;
     struct power_law power_law;          /* of the band found */
@@ -23,16 +23,16 @@ struct inspection {
     struct profile_options options;
 };
 
-/** Looks at a file's bytes; one called "-" is standard input, which nothing lies beside. Owned: inspection_free(),
- * whatever comes back. Errors: those of the stages. */
+/** Inspects a file's bytes; "-" is standard input, without sidecars. Free with inspection_free() in any case. Errors:
+ * those of the stages. */
 MUST_CHECK enum status_code inspection_make(struct inspection *out, const struct scan_bytes *file,
                                             const struct scan_options *units, const struct profile_options *options,
                                             struct status *status);
 void inspection_free(struct inspection *inspection);
 
-/** What was found out, as an object, new. */
+/** The figures as a new object. */
 json_t *inspection_json(const char *path, const struct inspection *inspection);
-/** The same with its numbers worded, for templates/inspect.txt. */
+/** The same with its numbers as texts, for templates/inspect.txt. */
 json_t *inspection_view(const char *path, const struct inspection *inspection);
 
 #endif

@@ -4,7 +4,7 @@
 
 #include <string.h>
 
-/** What every object begins with. */
+/** The members that every object begins with. */
 static json_t *begin(const char *directory, const char *messages, int exit_status, const char *error)
 {
     return json_pack("{s:s, s:s, s:o, s:i, s:s, s:o, s:o}", "program", "roughcontact", "version", version_string(),

@@ -16,7 +16,7 @@
 
 /* Of the process, as its signals are. */
 static atomic_bool stop, told;
-static atomic_int taken, grace_ms = 200; /* for a program that runs to be ended with all that it started */
+static atomic_int taken, grace_ms = 200; /* time for a running program to be ended with all that it started */
 static pthread_mutex_t end_lock = PTHREAD_MUTEX_INITIALIZER; /* whoever has it ends the program */
 
 const atomic_bool *signals_stop(int milliseconds)
@@ -30,7 +30,7 @@ bool signals_first_word(void)
     return !atomic_exchange(&told, true);
 }
 
-/** One line on stderr, unless nobody takes it there. */
+/** One line on stderr, unless nobody reads it there. */
 static void tell(const char *note)
 {
     struct text shown = {0};
@@ -72,7 +72,7 @@ static void *run_body(void *context)
     exit(exit_status);
 }
 
-/** A closed stream would have its number taken by the next file that is opened, which then got what is printed. */
+/** Else the next opened file would get the number of a closed stream, and what is printed. */
 static void open_standard_streams(void)
 {
     for (int fd = STDIN_FILENO; fd <= STDERR_FILENO; fd++)
@@ -88,15 +88,15 @@ int signals_run(command_run *body, int argc, char **argv)
     sigset_t signals;
     sigemptyset(&signals);
     for (size_t i = 0; i < sizeof ending / sizeof *ending; i++) {
-        struct sigaction action; /* whoever started it may want it ignored (as nohup does) */
+        struct sigaction action; /* the caller may want it ignored, as nohup does */
         if (sigaction(ending[i], NULL, &action) == 0 && action.sa_handler != SIG_IGN)
             sigaddset(&signals, ending[i]);
     }
     open_standard_streams();
     signal(SIGXFSZ, SIG_IGN); /* write() then says EFBIG */
-    signal(SIGCHLD, SIG_DFL); /* ignored, it would take away how programs end, and their ids while they are in use */
+    signal(SIGCHLD, SIG_DFL); /* if ignored, how programs end would be lost and their ids reused */
     pthread_sigmask(SIG_BLOCK, &signals, NULL);
-    if (!thread_start(&thread, run_body, &program)) { /* on this one, then, which signals end as they do by default */
+    if (!thread_start(&thread, run_body, &program)) { /* then on this one, with default signals */
         pthread_sigmask(SIG_UNBLOCK, &signals, NULL);
         return body(argc, argv);
     }

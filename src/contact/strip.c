@@ -176,10 +176,13 @@ static enum status_code solve_strip(struct strip_curve *curve, size_t *convoluti
                                     size_t index, struct status *status)
 {
     struct direct_contact made, *contact = &made;
-    const size_t points = solver->points;
+    const bool mirrored = index == 0 && solver->rows->rows == 1 && !solver->rows->periodic;
+    const size_t points = solver->points,
+                 images = mirrored ? 2 : 1; /* a row's mirror image needs no points of its own */
     const double spacing_m = solver->rows->spacing_m, *strip_m = solver->strip_m + index * points;
     double slope = sqrt(mean_square_slope(strip_m, points, row_length(solver->rows), spacing_m));
-    if (direct_contact_make(contact, strip_m, &(struct direct_grid){points, 1, spacing_m, false}, status) != STATUS_OK)
+    const struct direct_grid grid = {points / images, 1, spacing_m, mirrored, true};
+    if (direct_contact_make(contact, strip_m, &grid, status) != STATUS_OK)
         return status->code;
     const size_t step = solver->rough ? ROUGH_STEP : 1;
     bool enough = true;
@@ -191,11 +194,11 @@ static enum status_code solve_strip(struct strip_curve *curve, size_t *convoluti
         if (direct_contact_solve(contact, &load, &problem) == STATUS_OK) {
             struct direct_quantities found = direct_quantities_of(contact, &load);
             found.contact_points += overlapping(contact) / 2;
-            enough = found.contact_points >= STRIP_LEAST_POINTS;
+            enough = images * found.contact_points >= STRIP_LEAST_POINTS;
             if (enough)
                 (void)add_solution(curve, contact, &load, &found, &problem);
         }
-        *convolutions += contact->convolutions;
+        *convolutions += contact->convolutions * contact->kernel.points;
         if (problem.code == STATUS_MODEL)
             curve->unsolved++; /* the next one starts anew */
         else if (problem.code != STATUS_OK)
@@ -244,7 +247,7 @@ static enum status_code solve_task(void *context, size_t index, struct threads_t
         return STATUS_OK;
     *(index == 0 ? &out->own : &out->surrogate[out->surrogates]) = curve;
     out->unsolved += curve.unsolved;
-    out->transforms += convolutions * solver->points;
+    out->transforms += convolutions;
     out->surrogates += index > 0 && problem.code == STATUS_OK;
     if (problem.code == STATUS_OK ||
         (index > 0 && problem.code == STATUS_MODEL && index - out->surrogates < solver->surrogates))
@@ -295,12 +298,18 @@ static void add_values(double sum[3], const struct strip_curve *curve, double at
     }
 }
 
-struct strip_ratio strip_ratio_at(const struct strip *strip, double area_ratio)
+/** ln of the ratios at a logit A: those of struct strip_curve. */
+static void add_ratio(double sum[3], const struct strip *strip, double at)
 {
-    double sum[3] = {0}, at = logit(area_ratio);
     add_values(sum, &strip->own, at, 1);
     for (size_t s = 0; s < strip->surrogates; s++)
         add_values(sum, &strip->surrogate[s], at, -1 / (double)strip->surrogates);
+}
+
+struct strip_ratio strip_ratio_at(const struct strip *strip, double area_ratio)
+{
+    double sum[3] = {0};
+    add_ratio(sum, strip, logit(area_ratio));
     return (struct strip_ratio){sum[0], sum[1], sum[2]};
 }
 
@@ -327,20 +336,20 @@ static double area_of(const double range[2], double share)
  * the strip's smoothing (Cleveland, J. Am. Stat. Assoc. 74 (1979) 829); malloc'ed; NULL: out of memory. */
 static double (*smooth_ratios(const double range[2], size_t steps, const struct strip *strip))[3]
 {
-    enum { REACH = 120 }; /* steps: three widths */
-    const double width = strip->smoothing / ((range[1] - range[0]) / (double)steps);
-    const size_t reach = (size_t)fmin(3 * width, REACH);
+    enum { REACH = 120, EVERY = 4 }; /* steps: three widths, of which every fourth node is enough */
+    const double step = (range[1] - range[0]) / (double)steps, width = strip->smoothing / step;
+    const size_t reach = (size_t)fmin(3 * width, REACH) / EVERY * EVERY;
     double(*out)[3] = malloc(2 * (steps + 1) * sizeof *out), (*raw)[3] = out + steps + 1, weight[REACH + 1];
     for (size_t k = 0; k <= reach; k++)
         weight[k] = width > 0 ? exp(-pow((double)k / width, 2) / 2) : 1;
     for (size_t k = 0; k <= steps && out; k++) {
-        const struct strip_ratio ratio = strip_ratio_at(strip, area_of(range, (double)k / (double)steps));
-        memcpy(out[k], (double[]){ratio.load, ratio.constriction, ratio.separation}, sizeof *out);
+        memset(out[k], 0, sizeof *out);
+        add_ratio(out[k], strip, range[0] + (double)k * step);
         memcpy(raw[k], out[k], sizeof *out);
     }
     for (size_t k = 0; k <= steps && out && width > 0; k++) {
         double w0 = 0, w1 = 0, w2 = 0, sum[2][3] = {{0}}; /* moments of the weights, and of the ratios */
-        for (size_t i = k > reach ? k - reach : 0; i <= steps && i <= k + reach; i++) {
+        for (size_t i = k > reach ? k - reach : k % EVERY; i <= steps && i <= k + reach; i += EVERY) {
             const double x = (double)i - (double)k, w = weight[i > k ? i - k : k - i];
             w0 += w;
             w1 += w * x;

@@ -21,7 +21,7 @@ static double convolve(double *product, struct direct_contact *contact, const do
     if (stiffen)
         direct_contact_stiffen(contact);
     else
-        direct_kernel_convolve(kernel, kernel->compliance, contact->rows);
+        direct_kernel_convolve(kernel, DIRECT_COMPLIANCE, contact->rows);
     for (size_t k = 0; k < contact->set_count; k += 4)
         for (size_t i = 0; i < 4 && k + i < contact->set_count; i++) {
             part[0][i] += kernel->field[set[k + i]];

@@ -8,6 +8,9 @@
 
 enum {
     PATIENCE = 200, /* iterations in which the violation has to halve */
+    FREE = 1,       /* a member between 0 and H, */
+    VIOLATOR = 2,   /* and another */
+    BLOCK = 8,      /* points that are passed over together, where none is in the set */
     COARSEST = 64   /* points a side of a grid to start from */
 };
 
@@ -86,7 +89,7 @@ static enum status_code make_coarse(struct direct_contact *out, const double *he
             coarse_m[j * nx + i] = height_m[2 * (j * kernel->nx + i)];
     if (status->code == STATUS_OK &&
         direct_contact_make(out->coarse, coarse_m,
-                            &(struct direct_grid){nx, ny, 2 * kernel->spacing_m, kernel->mirrored},
+                            &(struct direct_grid){nx, ny, 2 * kernel->spacing_m, kernel->mirrored, kernel->single},
                             &problem) != STATUS_OK) {
         free(out->coarse);
         out->coarse = NULL;
@@ -112,9 +115,10 @@ enum status_code direct_contact_make(struct direct_contact *out, const double *h
     out->response = ny == 1 ? calloc(places, sizeof(double)) : NULL;
     out->set = malloc(places * sizeof(uint32_t));
     out->member = calloc(places, 1);
+    out->taken = calloc(out->kernel.nx, 1);
     out->rows = calloc(ny, 1);
-    if (!out->height_m || !out->pressure || !out->gap_m || !out->direction || !out->set || !out->member || !out->rows ||
-        (ny == 1 && !out->response))
+    if (!out->height_m || !out->pressure || !out->gap_m || !out->direction || !out->set || !out->member ||
+        !out->taken || !out->rows || (ny == 1 && !out->response))
         (void)status_memory(status);
     if (status->code == STATUS_OK && direct_contact_lay(out, height_m, status) == STATUS_OK)
         (void)make_coarse(out, height_m, status);
@@ -136,6 +140,7 @@ void direct_contact_free(struct direct_contact *contact)
     free(contact->response);
     free(contact->set);
     free(contact->member);
+    free(contact->taken);
     free(contact->rows);
     *contact = (struct direct_contact){0};
 }
@@ -153,7 +158,7 @@ static void displace(struct solver *solver)
 {
     struct direct_kernel *kernel = &solver->contact->kernel;
     memcpy(kernel->field, solver->contact->pressure, kernel->ny * kernel->stride * sizeof(double));
-    direct_kernel_convolve(kernel, kernel->compliance, NULL);
+    direct_kernel_convolve(kernel, DIRECT_COMPLIANCE, NULL);
 }
 
 void direct_contact_select(struct direct_contact *contact, bool all)
@@ -170,6 +175,20 @@ void direct_contact_select(struct direct_contact *contact, bool all)
     }
 }
 
+/** Sum of `count` pressures plus the shift, each clipped to 0 ... H; `free`: how many of them are not. */
+CLONES static double clipped_sum(double *free, const double *pressure, size_t count, double shift, double hardness)
+{
+    double part[4] = {0}, inside[4] = {0};
+    for (size_t k = 0; k < count; k += 4)
+        for (size_t i = 0; i < 4 && k + i < count; i++) {
+            const double p = pressure[k + i] + shift, clipped = p < 0 ? 0 : p > hardness ? hardness : p;
+            part[i] += clipped;
+            inside[i] += clipped == p;
+        }
+    *free = sum(inside);
+    return sum(part);
+}
+
 /** Shifts the pressure where it is not 0, clipped to 0 ... H, until its mean is p̄ (Newton, kept within a bracket).
  * `set` is used for the points. With less than p̄/H of the points loaded, all of them are shifted. */
 static void fit_mean(struct solver *solver)
@@ -184,33 +203,26 @@ static void fit_mean(struct solver *solver)
         all = !all;
         count = (double)contact->set_count;
     } while (count * hardness <= wanted && all);
+    double *at = kernel->field; /* those pressures, one after another */
     for (size_t k = 0; k < contact->set_count; k++) {
-        double p = pressure[contact->set[k]];
+        double p = at[k] = pressure[contact->set[k]];
         bounds[0] = p > bounds[0] ? p : bounds[0];
         bounds[1] = -p > bounds[1] ? -p : bounds[1];
     }
     double low = -bounds[0], high = hardness + bounds[1], shift = 0;
     for (int step = 0; step < 100; step++) {
-        double parts[3] = {0};
-        for (size_t k = 0; k < contact->set_count; k++) {
-            double p = pressure[contact->set[k]] + shift;
-            bool free = p > 0 && p < hardness;
-            parts[0] += free ? p : 0;
-            parts[1] += free;
-            parts[2] += p >= hardness;
-        }
-        double sum = parts[0] + parts[2] * hardness;
+        double free = 0, sum = clipped_sum(&free, at, contact->set_count, shift, hardness);
         if (sum < wanted)
             low = shift;
         else
             high = shift;
-        double change = parts[1] > 0 ? (wanted - sum) / parts[1] : INFINITY; /* else halve the bracket */
+        double change = free > 0 ? (wanted - sum) / free : INFINITY; /* else halve the bracket */
         if (fabs(sum - wanted) <= 5e-13 * wanted || high - low <= 1e-15 * hardness)
             break;
         shift = shift + change > low && shift + change < high ? shift + change : (low + high) / 2;
     }
     for (size_t k = 0; k < contact->set_count; k++) {
-        double p = pressure[contact->set[k]] + shift;
+        double p = at[k] + shift;
         p = p < hardness ? p : hardness;
         pressure[contact->set[k]] = p > 0 ? p : 0;
     }
@@ -288,6 +300,26 @@ static double level(const struct solver *solver)
     return (ends[0] - ends[1]) / 2;
 }
 
+/** Of a row, from place `first` on: the gap, from the field, and which points are free or violate a condition. */
+CLONES static void lay_row(struct direct_contact *contact, size_t first, double lambda, double hardness)
+{
+    const double *u = contact->kernel.field + first, *p = contact->pressure + first, *h = contact->height_m + first;
+    double *gap_m = contact->gap_m + first;
+    uint8_t *taken = contact->taken;
+    for (size_t i = 0; i < contact->kernel.nx; i++) {
+        const double g = 2 * u[i] - h[i] - lambda;
+        gap_m[i] = g;
+        taken[i] = (uint8_t)(((p[i] > 0) & ((p[i] < hardness) | (g > 0))) | ((p[i] <= 0) & (g < 0)));
+    }
+}
+
+/** Whether BLOCK flags are all 0. */
+static bool none(const uint8_t flag[BLOCK])
+{
+    static const uint8_t zeros[BLOCK];
+    return memcmp(flag, zeros, BLOCK) == 0;
+}
+
 /** Takes the gap from the field, K p, and lays the set anew: {0 < p < H}, and where a condition is violated, {p = 0, g
  * < 0} and {p = H, g > 0}. These wait until they are the worst (proportioning: Dostál, SIAM J. Optim. 7 (1997) 871);
  * else points change sides in every iteration and no direction lives. Returns max |g| over all of them. */
@@ -295,9 +327,8 @@ static double lay_set(struct solver *solver)
 {
     struct direct_contact *contact = solver->contact;
     const struct direct_kernel *kernel = &contact->kernel;
-    const double *pressure = contact->pressure, *u = kernel->field;
-    double lambda = level(solver), hardness = solver->hardness, worst[2] = {0}, gaps = 0; /* violated, free */
-    double *gap_m = contact->gap_m;
+    const double *pressure = contact->pressure, *gap_m = contact->gap_m;
+    double lambda = level(solver), hardness = solver->hardness, violated = 0, free = 0, gaps = 0; /* |g| at most */
     uint8_t *member = contact->member;
     uint32_t *set = contact->set;
     size_t count = 0, kept = 0;
@@ -305,38 +336,45 @@ static double lay_set(struct solver *solver)
     if (!isfinite(lambda))
         return NAN; /* comparisons below would pass over it */
     for (size_t j = 0; j < kernel->ny; j++) {
-        size_t first = j * kernel->stride, end = first + kernel->nx, before = count;
-        for (size_t k = first; k < end; k++)
-            gap_m[k] = 2 * u[k] - contact->height_m[k] - lambda;
-        for (size_t k = first; k < end; k++) {
-            double p = pressure[k], g = fabs(gap_m[k]);
-            if (p > 0 && p < hardness) {
-                worst[1] = g > worst[1] ? g : worst[1];
-                joined[1] |= !member[k];
-            } else if (p > 0 ? gap_m[k] > 0 : gap_m[k] < 0) {
-                worst[0] = g > worst[0] ? g : worst[0];
-                joined[0] |= !member[k];
-                gaps += gap_m[k];
-            } else {
-                member[k] = 0;
+        const size_t first = j * kernel->stride, before = count;
+        lay_row(contact, first, lambda, hardness);
+        for (size_t i = 0; i < kernel->nx; i++) {
+            const size_t k = first + i;
+            if (!contact->taken[i]) {
+                if (i % BLOCK == 0 && i + BLOCK <= kernel->nx && none(contact->taken + i)) {
+                    memset(member + k, 0, BLOCK);
+                    i += BLOCK - 1;
+                } else {
+                    member[k] = 0;
+                }
                 continue;
             }
+            const double g = fabs(gap_m[k]);
+            if (pressure[k] > 0 && pressure[k] < hardness) {
+                free = g > free ? g : free;
+                joined[1] |= !member[k];
+                member[k] = FREE;
+            } else {
+                violated = g > violated ? g : violated;
+                gaps += gap_m[k];
+                joined[0] |= !member[k];
+                member[k] = VIOLATOR;
+            }
             set[count++] = (uint32_t)k;
-            member[k] = 1;
         }
         contact->rows[j] = count > before;
     }
-    bool all = worst[0] >= worst[1];
-    for (size_t k = 0; k < count && !all && worst[0] > 0; k++) {
+    const bool all = violated >= free;
+    for (size_t k = 0; !all && violated > 0 && k < count; k++) {
         set[kept] = set[k];
-        member[set[k]] = pressure[set[k]] > 0 && pressure[set[k]] < hardness;
-        kept += member[set[k]];
+        kept += member[set[k]] == FREE;
+        member[set[k]] &= FREE;
     }
-    contact->set_count = all || worst[0] == 0 ? count : kept;
+    contact->set_count = all || violated == 0 ? count : kept;
     solver->joined |= joined[1] || (all && joined[0]);
-    solver->violators = all && worst[0] > 0;
+    solver->violators = all && violated > 0;
     solver->mean = all ? gaps / (double)count : 0; /* where 0 < p < H it is 0 */
-    return worst[all ? 0 : 1];
+    return all ? violated : free;
 }
 
 /** Values on the line first + step i, i = 1 ... count. */
@@ -385,13 +423,31 @@ static void bridge(double *field, const uint32_t *set, size_t k, const struct di
     }
 }
 
+/** From an end of a mirrored strip's set to its mirror image, which has the same value: `count` points from `first` on.
+ */
+static void bridge_end(double *field, size_t first, size_t count, size_t end, bool back)
+{
+    double sums[2];
+    if (back) {
+        add_line(sums, field + first, count);
+        field[end] += sums[0];
+    } else {
+        fill_line(field + first, count, field[end], 0);
+    }
+}
+
 /** All of a strip's set. */
 static void bridge_all(struct direct_contact *contact, bool back)
 {
     const uint32_t *set = contact->set;
-    for (size_t k = 0; k < contact->set_count; k++)
-        if (k + 1 == contact->set_count || set[k + 1] != set[k] + 1)
+    const size_t count = contact->set_count, points = contact->kernel.nx, ends = contact->kernel.mirrored;
+    for (size_t k = 0; k + ends < count; k++)
+        if (k + 1 == count || set[k + 1] != set[k] + 1)
             bridge(contact->kernel.field, set, k, contact, back);
+    if (ends) {
+        bridge_end(contact->kernel.field, 0, set[0], set[0], back);
+        bridge_end(contact->kernel.field, set[count - 1] + 1, points - set[count - 1] - 1, set[count - 1], back);
+    }
 }
 
 void direct_contact_stiffen(struct direct_contact *contact)
@@ -399,7 +455,7 @@ void direct_contact_stiffen(struct direct_contact *contact)
     struct direct_kernel *kernel = &contact->kernel;
     if (kernel->ny == 1)
         bridge_all(contact, false);
-    direct_kernel_convolve(kernel, kernel->stiffness, contact->rows);
+    direct_kernel_convolve(kernel, DIRECT_STIFFNESS, contact->rows);
     if (kernel->ny == 1)
         bridge_all(contact, true);
 }
@@ -476,7 +532,7 @@ static void step(struct solver *solver)
 {
     struct direct_contact *contact = solver->contact;
     struct direct_kernel *kernel = &contact->kernel;
-    double slope = turn(solver), tau = slope / (2 * direct_kernel_energy(kernel, kernel->compliance));
+    double slope = turn(solver), tau = slope / (2 * direct_kernel_energy(kernel, DIRECT_COMPLIANCE));
     if (isinf(solver->hardness)) {
         move(solver, tau);
     } else {

@@ -29,6 +29,7 @@ struct direct_contact {
     double *direction;             /* the solver's */
     double *response;              /* of a strip: d(pressure)/d(mean pressure) when last found; else NULL */
     uint32_t *set;                 /* the solver's points at work: their places in a field, ascending */
+    uint8_t *taken;                /* a row's points that belong to it by their pressure and gap */
     uint8_t *member;               /* whether a point is in it; between solutions, what is in contact */
     uint8_t *rows;                 /* whether a row has points of the set */
     struct direct_contact *coarse; /* every second point of every second row; NULL: too few of them */

@@ -68,7 +68,7 @@ static enum status_code solve_surface(struct direct_point *out, const struct dir
     }
     if (rc == STATUS_OK) {
         tell(def, making_work(def));
-        const struct direct_grid grid = {fine_n, fine_n, def->length_m / (double)fine_n, false};
+        const struct direct_grid grid = {fine_n, fine_n, def->length_m / (double)fine_n, false, false};
         return solve_heights(out, height_m, &grid, def, status);
     }
     free(height_m);

@@ -16,15 +16,32 @@
 #include <stddef.h>
 #include <stdint.h>
 
+/* Loops over all points are compiled for AVX2 as well, and the choice made when the program starts, which sanitizers
+ * come too late for. No product is fused with a sum: the bytes are the same either way. */
+#if defined __x86_64__ && defined __GLIBC__ && !defined __clang__ && !defined __SANITIZE_ADDRESS__ &&                  \
+    !defined __SANITIZE_THREAD__
+#define CLONES __attribute__((target_clones("avx2", "default")))
+#else
+#define CLONES
+#endif
+
 /** Points a side of a square: the places of a process fit 31 bits. */
 enum { DIRECT_KERNEL_MOST = 32768 };
 
-/** ny rows of nx points that repeat; or (`mirrored`, of a square) their mirror images beyond every edge do, twice as
- * long a side. */
+/** ny rows of nx points that repeat; or (`mirrored`, of a square or one row) their mirror images beyond every edge do,
+ * twice as long a side. */
 struct direct_grid {
     size_t nx, ny;
     double spacing_m; /* dx, the same in both directions */
     bool mirrored;
+    bool single; /* transforms in single precision: a third to a half faster, and good to some 1e-6 of a field's size */
+};
+
+/** What a convolution multiplies by. */
+enum direct_table {
+    DIRECT_COMPLIANCE, /* 1/|q| [m], 0 at q = 0 */
+    DIRECT_STIFFNESS,  /* |q| [1/m] */
+    DIRECT_TABLES
 };
 
 /** A grid and one field on it to transform. Of a mirrored one only the points themselves are held: their cosine
@@ -35,36 +52,29 @@ struct direct_kernel {
     size_t points;    /* nx ny */
     size_t stride;    /* values from row to row of `field`: 2 (nx/2 + 1), the last ones unused */
     double spacing_m; /* dx */
-    bool mirrored;
-    double *field;                       /* ny x stride */
-    double *compliance;                  /* 1/|q| [m] over the points, a column for each wave along x of what repeats,
-                                            up to half of its points, of as many across; 0 at q = 0 */
-    double *stiffness;                   /* |q| [1/m] over the points, the same shape */
-    double *line;                        /* one row of a mirrored grid in the order of its transform */
-    fftw_complex *turn;                  /* of a mirrored grid: exp(-i pi k/(2 n)) */
-    fftw_complex *row;                   /* one row's transform */
-    fftw_complex *columns, *transformed; /* some columns and one's transform */
-    fftw_plan row_forward, row_backward, column_forward, column_backward;
+    bool mirrored, single;
+    double *field;     /* ny x stride */
+    void *room;        /* what transforms take, of the kernel's precision (direct_passes.h) */
     size_t transforms; /* of the field, forth or back, done so far: two a convolution */
     bool exhausted;    /* what leads it found no memory: the field is of no use, nor what is made of it */
 };
 
-/** nx >= 2, ny >= 1, the same of a mirrored grid; with ny = 1 it is a strip, without strain across. A transform is made
- * of transforms of rows and columns, each column copied to a place of its own and its product transformed back at once:
- * from 512 points a side on that is 1.2 to 1.9 times as fast as FFTW's own plan of two dimensions. Plans are made with
- * FFTW_ESTIMATE: the same plan, hence the same bytes, in every thread and run, within 1 ms (FFTW_MEASURE would take 0.2
- * to 2 s and choose by the clock). Any thread may call this at any time. Errors: STATUS_MEMORY; STATUS_USAGE: a grid
- * too large or too small, a spacing that is no length. */
+/** nx >= 2, ny >= 1, the same, 8 or more, of a mirrored grid; with ny = 1 it is a strip, without strain across. A
+ * transform is made of transforms of rows and columns, each column copied to a place of its own and its product
+ * transformed back at once: from 512 points a side on that is 1.2 to 1.9 times as fast as FFTW's own plan of two
+ * dimensions. Plans are made with FFTW_ESTIMATE: the same plan, hence the same bytes, in every thread and run, within 1
+ * ms (FFTW_MEASURE would take 0.2 to 2 s and choose by the clock). Any thread may call this at any time. Errors:
+ * STATUS_MEMORY; STATUS_USAGE: a grid too large or too small, a spacing that is no length. */
 MUST_CHECK enum status_code direct_kernel_make(struct direct_kernel *out, const struct direct_grid *grid,
                                                struct status *status);
 void direct_kernel_free(struct direct_kernel *kernel);
 
-/** Replaces `field` f by the field with the transform f̂ times `table`: compliance, stiffness (its inverse, for a field
- * of mean 0), or another of their shape. `wanted`, one a row: whether; others then hold nothing of use. NULL: all. Rows
+/** Replaces `field` f by the field with the transform f̂ times the table; the stiffness is the compliance's inverse, for
+ * a field of mean 0. `wanted`, one a row: whether; others then hold nothing of use. NULL: all. Rows
  * of zeros, and those not wanted, cost nothing. */
-void direct_kernel_convolve(struct direct_kernel *kernel, const double *table, const uint8_t *wanted);
+void direct_kernel_convolve(struct direct_kernel *kernel, enum direct_table table, const uint8_t *wanted);
 
 /** <f, table f>, by Parseval's theorem half a convolution; `field` f is used up. */
-double direct_kernel_energy(struct direct_kernel *kernel, const double *table);
+double direct_kernel_energy(struct direct_kernel *kernel, enum direct_table table);
 
 #endif

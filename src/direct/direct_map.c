@@ -230,7 +230,8 @@ enum status_code direct_map_make(struct direct_map *out, const double *height_m,
 {
     size_t n = def->nx < def->ny ? def->nx : def->ny;
     n = n < most ? n : most;
-    *out = (struct direct_map){.grid = {n, n, def->dx_m, direct_map_mirrored(def, most)}, .cutoff = def->cutoff};
+    *out = (struct direct_map){.grid = {n, n, def->dx_m, direct_map_mirrored(def, most), def->single},
+                               .cutoff = def->cutoff};
     if (n < LEAST)
         return status_fail(status, STATUS_SCAN, "a square of %zu points a side is too small; %d are needed", n, LEAST);
     if (!(def->dx_m > 0) || !(fabs(def->dy_m / def->dx_m - 1) <= 0.01))
@@ -264,13 +265,14 @@ enum status_code direct_map_take(struct direct_map *out, const struct direct_map
     const struct direct_grid *grid = &map->grid;
     const size_t all = grid->nx, every = part == DIRECT_MAP_WHOLE ? 1 : 2, n = all / every, half = all / 2;
     const bool wider = part == DIRECT_MAP_WIDER;
-    const struct direct_map_def def = {all, all, grid->spacing_m, grid->spacing_m, !grid->mirrored, map->cutoff};
+    const struct direct_map_def def = {all,         all,         grid->spacing_m, grid->spacing_m, !grid->mirrored,
+                                       map->cutoff, grid->single};
     if (part >= DIRECT_MAP_QUARTER) {
         size_t quarter = (size_t)(part - DIRECT_MAP_QUARTER);
         return direct_map_make(out, map->height_m + (quarter / 2 * all + quarter % 2) * half, &def, half, status);
     }
     *out = *map;
-    out->grid = (struct direct_grid){n, n, grid->spacing_m * (double)every, grid->mirrored};
+    out->grid = (struct direct_grid){n, n, grid->spacing_m * (double)every, grid->mirrored, grid->single};
     out->height_m = malloc(all * all * sizeof *out->height_m);
     if (!out->height_m)
         return status_memory(status);

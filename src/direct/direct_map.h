@@ -12,6 +12,7 @@ struct direct_map_def {
     double dx_m, dy_m;
     bool periodic; /* the map closes on itself in both directions */
     double cutoff; /* of the low-pass that it has had, in spacings; 0: none */
+    bool single;   /* solved in single precision (struct direct_grid) */
 };
 
 /** Rows or columns of a map: `count` lines of `points` heights that are `step` apart, the first ones `next`. */

@@ -47,6 +47,7 @@ void tiles_take(struct tiles *out, struct scan *scan, const struct direct_map_de
     *out = (struct tiles){.height_m = scan->z_m, .def = *def};
     out->def.nx = scan->nx;
     out->def.ny = scan->ny;
+    out->def.single = true;
     scan->z_m = NULL;
     lay_out(out);
 }

@@ -9,11 +9,6 @@
 #include <math.h>
 #include <string.h>
 
-static void set_count(json_t *object, const char *key, size_t count)
-{
-    json_object_set_new(object, key, json_integer((json_int_t)count));
-}
-
 static void set_word(json_t *object, const char *key, const char *word)
 {
     json_object_set_new(object, key, json_string(word));
@@ -42,19 +37,18 @@ json_t *json_joint(const struct results *results)
 {
     const struct joint *joint = &results->scene->joint;
     json_t *json = json_object();
-    bool gap = plan_runs(results->plan, EFFECT_GAP), heating = plan_runs(results->plan, EFFECT_HEATING);
+    const bool gap = plan_runs(results->plan, EFFECT_GAP), heating = plan_runs(results->plan, EFFECT_HEATING);
     if (gap) {
         const char *names[] = {[JOINT_VACUUM] = "vacuum", [JOINT_GAS] = "", [JOINT_MEDIUM] = "medium"};
         set_word(json, "gap", joint->gas ? joint->gas->name : names[joint->fill]);
+        if (joint->fill == JOINT_GAS) {
+            json_set(json, "gap_pressure_Pa", joint->pressure_Pa);
+            json_set(json, "accommodation", joint->accommodation);
+        } else if (joint->fill == JOINT_MEDIUM)
+            json_set(json, "gap_conductivity_W_per_mK", joint->conductivity_W_per_mK);
+        if (joint->bond_line_m > 0)
+            json_set(json, "bond_line_m", joint->bond_line_m);
     }
-    if (gap && joint->fill == JOINT_GAS) {
-        json_set(json, "gap_pressure_Pa", joint->pressure_Pa);
-        json_set(json, "accommodation", joint->accommodation);
-    }
-    if (gap && joint->fill == JOINT_MEDIUM)
-        json_set(json, "gap_conductivity_W_per_mK", joint->conductivity_W_per_mK);
-    if (gap && joint->bond_line_m > 0)
-        json_set(json, "bond_line_m", joint->bond_line_m);
     if (gap || heating)
         json_set(json, "temperature_K", joint->temperature_K);
     if (plan_runs(results->plan, EFFECT_FILM))
@@ -62,7 +56,7 @@ json_t *json_joint(const struct results *results)
     if (plan_runs(results->plan, EFFECT_PLATING)) {
         json_set(json, "plating_thickness_m", joint->plating_thickness_m);
         json_set(json, "plating_resistivity_ohm_m", joint->plating_ohm_m);
-        json_object_set_new(json, "plated_sides", json_integer(joint->both_plated ? 2 : 1));
+        json_set_count(json, "plated_sides", joint->both_plated ? 2 : 1);
     }
     if (heating)
         json_set(json, "current_A", joint->current_A);
@@ -129,60 +123,41 @@ static json_t *scene_json(const struct results *results)
     return json;
 }
 
-/** The points of a curve, quantity by quantity. */
-static void add_points(json_t *json, const struct model_curve *curve, const struct plan *plan)
+/** A model on a surface: its curve, its numbers where the summary stands as tables show them, what is known of these.
+ */
+static json_t *model_json(const struct results *results, size_t surface, size_t m)
 {
-    for (int q = 0; q < QUANTITY_COUNT; q++) {
-        if (!(plan->wanted & QUANTITY_BIT(q)))
-            continue;
-        json_t *values = json_array();
-        for (size_t i = 0; i < curve->count; i++)
-            json_array_append_new(values, json_finite(curve->points[i].value[q]));
-        json_object_set_new(json, quantity_rows[q].name, values);
-    }
-}
-
-static json_t *curve_json(const struct model_curve *curve, const struct curve_summary *model, const struct scene *scene,
-                          const struct plan *plan)
-{
-    json_t *json = json_object();
+    const struct surface_record *record = &results->surfaces[surface];
+    const struct curve_summary *model = surface_model(&record->summary, m);
+    const struct contact_point at = comparison_middle(results, m, surface);
+    json_t *json = json_object(), *operating = json_object(), *known = json_object();
     json_set(json, "full_contact_load_over_AnEp", model->full_load);
     json_set(json, "beta", model->beta);
     json_set(json, "beta_from_multiscale", model->beta_multiscale);
     json_set(json, "area_load_slope", model->area_slope);
     json_set(json, "largest_load_share_beyond_fit", model->most_beyond_fit);
-    set_count(json, "evaluations", model->evaluations);
-    set_count(json, "areas_limited", model->clamped);
+    json_set_count(json, "evaluations", model->evaluations);
+    json_set_count(json, "areas_limited", model->clamped);
     json_set(json, "largest_load_share_clamped_at_radius", model->most_radius_clamped);
-    if (!scene_bins_spectra(scene)) /* else contact.csv alone has them */
-        add_points(json, curve, plan);
-    return json;
-}
-
-/** What is known of a model's numbers at the middle load, and of its load of full contact. */
-static void set_intervals(json_t *object, const struct curve_summary *model)
-{
-    json_t *json = json_object();
+    for (enum quantity q = 0; q < QUANTITY_COUNT; q++) {
+        if (!(results->plan->wanted & QUANTITY_BIT(q)))
+            continue;
+        json_t *values = scene_bins_spectra(results->scene) ? NULL : json_array(); /* else contact.csv alone has them */
+        for (size_t i = 0; values && i < record->curves[m].count; i++)
+            json_array_append_new(values, json_finite(record->curves[m].points[i].value[q]));
+        json_object_set_new(json, quantity_rows[q].name, values);
+        json_set(operating, quantity_shown_name(q), comparison_value(&at, q, m, record->summary.asperities.sigma_m));
+    }
+    json_object_set_new(json, "operating", operating);
     for (int which = 0; which < CURVE_ESTIMATES; which++) {
         const struct estimate *estimate = curve_summary_estimate(model, which);
         if (tables_estimate_key(which) && estimate->count > 0)
-            json_object_set_new(json, tables_estimate_key(which), record_estimate_json(estimate));
+            json_object_set_new(known, tables_estimate_key(which), record_estimate_json(estimate));
     }
-    if (json_object_size(json) > 0)
-        json_object_set(object, "at_middle_load", json);
-    json_decref(json);
-}
-
-/** A model's numbers where the summary stands, as tables show them. */
-static void set_operating(json_t *object, const struct results *results, size_t m, size_t surface)
-{
-    const struct contact_point at = comparison_middle(results, m, surface);
-    double sigma_m = results->surfaces[surface].summary.asperities.sigma_m;
-    json_t *json = json_object();
-    for (int q = 0; q < QUANTITY_COUNT; q++)
-        if (results->plan->wanted & QUANTITY_BIT(q))
-            json_set(json, quantity_shown_name((enum quantity)q), comparison_value(&at, (enum quantity)q, m, sigma_m));
-    json_object_set_new(object, "operating", json);
+    if (json_object_size(known) > 0)
+        json_object_set(json, "at_middle_load", known);
+    json_decref(known);
+    return json;
 }
 
 static json_t *notes_json(const struct note_list *list, struct words *words)
@@ -247,7 +222,7 @@ static json_t *measured_json(const struct results *results, size_t index)
                              "models", models);
     json_object_set_new(json, "units_of_file",
                         json_pack("[o, o]", json_shown(measured->load_unit), json_shown(measured->resistance_unit)));
-    set_count(json, "points", measured->count);
+    json_set_count(json, "points", measured->count);
     json_set(json, "conductance_factor", estimate_value(&answers->fit));
     json_set_all(json, "conductance_factor_95", ends, 2);
     json_set_all(json, "load_over_AnEp", measured->load, measured->count);
@@ -271,13 +246,8 @@ static json_t *surface_json(const struct results *results, size_t index, struct 
     const struct scene *scene = results->scene;
     json_t *models = json_object();
     for (size_t m = 0; m < model_count; m++)
-        if (surface_model(s, m)->exists) {
-            json_t *model =
-                curve_json(record->curves ? &record->curves[m] : NULL, surface_model(s, m), scene, results->plan);
-            set_operating(model, results, m, index);
-            set_intervals(model, surface_model(s, m));
-            json_object_set_new(models, model_rows[m]->name, model);
-        }
+        if (surface_model(s, m)->exists)
+            json_object_set_new(models, model_rows[m]->name, model_json(results, index, m));
     json_t *json = json_pack("{s:o, s:o, s:s, s:s, s:s}", "surface", json_shown(s->scene->name), "files",
                              files_json(&s->scene->files), "sha256", s->hash, "format", s->format, "units", s->units);
     if (s->scene->bodies.material_given || s->scene->bodies.counterface_given) {
@@ -293,9 +263,9 @@ static json_t *surface_json(const struct results *results, size_t index, struct 
     json_set(json, "rku", roughness_kurtosis(&s->roughness));
     json_object_set_new(json, "fit", fit_json(record, scene->fit));
     json_object_set_new(json, "lay", lay_json(s));
-    set_count(json, "scans", s->scans);
-    set_count(json, "scans_periodic", s->periodic);
-    set_count(json, "scans_windowed", s->windowed);
+    json_set_count(json, "scans", s->scans);
+    json_set_count(json, "scans_periodic", s->periodic);
+    json_set_count(json, "scans_windowed", s->windowed);
     json_set(json, "scans_independent", s->independent);
     json_set(json, "longest_waves", s->longest_waves);
     if (s->repeats.scans > 1)
@@ -318,13 +288,13 @@ static json_t *direct_curve_json(const struct direct_study *study, const struct 
     json_set(json, "hardness_Pa",
              kind == DIRECT_STUDY_CAPPED ? study->plan.hardness * pair->effective_modulus_Pa : NAN);
     json_set_all(json, quantity_rows[QUANTITY_LOAD].name, study->plan.load, curve->loads);
-    for (int q = 0; q < QUANTITY_COUNT; q++) {
+    for (enum quantity q = 0; q < QUANTITY_COUNT; q++) {
         const char *name = quantity_rows[q].name;
         char error_name[64];
         if (!quantity_rows[q].solved.column || !(results->plan->wanted & QUANTITY_BIT(q)))
             continue;
         for (size_t i = 0; i < curve->loads; i++)
-            value[i] = direct_study_value(study, pair, kind, (enum quantity)q, i, &error[i]);
+            value[i] = direct_study_value(study, pair, kind, q, i, &error[i]);
         snprintf(error_name, sizeof error_name, "%s_stderr", name);
         json_set_all(json, name, value, curve->loads);
         json_set_all(json, error_name, error, curve->loads);
@@ -345,12 +315,12 @@ static json_t *direct_json(const struct direct_study *study, const struct result
             continue;
         json_t *model = json_object();
         size_t loads = study->curves[direct_study_kind_of(study, m)].loads;
-        for (int q = 0; q < QUANTITY_COUNT; q++) {
+        for (enum quantity q = 0; q < QUANTITY_COUNT; q++) {
             double ratio[SCENE_DIRECT_LOADS];
             if (!quantity_rows[q].solved.ratio || !(results->plan->wanted & QUANTITY_BIT(q)))
                 continue;
             for (size_t i = 0; i < loads; i++)
-                ratio[i] = direct_study_ratio(study, results_pair(results, study->surface), m, (enum quantity)q, i);
+                ratio[i] = direct_study_ratio(study, results_pair(results, study->surface), m, q, i);
             json_set_all(model, quantity_rows[q].short_symbol, ratio, loads);
         }
         json_object_set_new(ratios, model_rows[m]->name, model);
@@ -378,7 +348,7 @@ static json_t *work_json(const struct results *results)
 }
 
 /** The surfaces held against each other in the leading model, the best first. */
-static json_t *comparison_json(const struct results *results, const struct comparison_ranking *ranking)
+static json_t *comparison_json(const struct results *results, const struct comparison *ranking)
 {
     static const char *const verdicts[] = {"not told apart", "told apart", "told apart"};
     json_t *ranks = json_array(), *pairs = json_array();
@@ -458,7 +428,7 @@ static bool print(FILE *file, const char *before, json_t *json)
 struct printing {
     FILE *file;
     const struct results *results;
-    bool begun;
+    const char *before;
 };
 
 /** A usable surface, with words of its own: they are for one thread. */
@@ -475,20 +445,12 @@ static enum status_code print_surface(void *context, size_t index, struct thread
         (void)status_memory(status);
     json_decref(own.said);
     if (status->code == STATUS_OK && threads_wait(turn)) {
-        if (fputs(all->begun ? ",\n" : "\n", all->file) < 0 || fputs(text_string(&text), all->file) < 0)
+        if (fputs(all->before, all->file) < 0 || fputs(text_string(&text), all->file) < 0)
             (void)status_fail(status, STATUS_IO, "cannot write results.json: %s", strerror(errno));
-        all->begun = true;
+        all->before = ",\n";
     }
     text_free(&text);
     return status->code;
-}
-
-static bool print_surfaces(FILE *file, const struct results *results, struct status *status)
-{
-    struct printing all = {file, results, false};
-    return fputs(",\n\"surfaces\": [", file) >= 0 &&
-           threads_run(&results->threads, results->surface_count, print_surface, &all, status) == STATUS_OK &&
-           fputs("]", file) >= 0;
 }
 
 static json_t *studies_json(const struct results *results)
@@ -521,13 +483,15 @@ enum status_code json_write(const struct results *results, const struct comparis
     text_free(&path);
     if (!file)
         return status_fail(status, STATUS_IO, "cannot write results.json: %s", strerror(errno));
+    struct printing all = {file, results, "\n"};
     bool ok = print(file, "{\"schema_version\": 1,\n\"program\": ", json_string("roughcontact")) &&
               print(file, ",\n\"version\": ", json_string(version_string())) &&
               print(file, ",\n\"scene\": ", scene_json(results)) &&
               print(file, ",\n\"leading\": ", json_string(model_rows[plan_leading_model(results->plan)]->name)) &&
-              print(file, ",\n\"claims\": ", claims_json(claims)) && print_surfaces(file, results, status) &&
-              print(file, ",\n\"refused\": ", refused_json(results)) &&
-              print(file, ",\n\"comparison\": ", comparison_json(results, &comparison->ranking)) &&
+              print(file, ",\n\"claims\": ", claims_json(claims)) && fputs(",\n\"surfaces\": [", file) >= 0 &&
+              threads_run(&results->threads, results->surface_count, print_surface, &all, status) == STATUS_OK &&
+              print(file, "],\n\"refused\": ", refused_json(results)) &&
+              print(file, ",\n\"comparison\": ", comparison_json(results, comparison)) &&
               (!scene->passed_over || print(file, ",\n\"passed_over\": ", json_lines(scene->passed_over))) &&
               (scene->target_count == 0 || print(file, ",\n\"answers\": ", tables_answers_json(results))) &&
               (scene->limit_count == 0 || print(file, ",\n\"limits\": ", tables_limits_json(results))) &&

@@ -37,6 +37,11 @@ void json_set(json_t *object, const char *key, double value)
     json_object_set_new(object, key, json_finite(value));
 }
 
+void json_set_count(json_t *object, const char *key, size_t count)
+{
+    json_object_set_new(object, key, json_integer((json_int_t)count));
+}
+
 json_t *json_numbers(const double *values, size_t count)
 {
     json_t *array = json_array();

@@ -18,7 +18,7 @@ enum record_kind {
     RECORD_ESTIMATE    /* struct estimate */
 };
 
-/** Bits of a field's `when`: it is there in the kinds of record, and under the conditions, named. */
+/** Bits of a field's `when`: in which output it is, and under which conditions. */
 enum {
     RECORD_CSV = 1,
     RECORD_JSON = 2,
@@ -74,6 +74,7 @@ json_t *json_lines(const char *lines);
 json_t *json_finite(double value);
 json_t *json_numbers(const double *values, size_t count);
 void json_set(json_t *object, const char *key, double value);
+void json_set_count(json_t *object, const char *key, size_t count);
 void json_set_all(json_t *object, const char *key, const double *values, size_t count);
 
 #endif

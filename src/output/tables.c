@@ -104,7 +104,7 @@ static void open_table(struct table *table, const struct text *header)
         table->problem = errno;
 }
 
-/** Writes the rows held, in turn; of a surface in vain they go. */
+/** Writes the rows held when it is their turn; in a run that has failed they are dropped. */
 static void write_rows(struct table *table)
 {
     struct table *whole = table->whole ? table->whole : table;
@@ -163,12 +163,6 @@ static void put_number(struct table *table, const char *name, double value)
     put(table, name, "", value);
 }
 
-static void put_word(struct table *table, const char *name, const char *word)
-{
-    begin_cell(table, name, "");
-    text_add_bytes(&table->rows, word, strlen(word));
-}
-
 static void put_count(struct table *table, const char *name, size_t count)
 {
     begin_cell(table, name, "");
@@ -182,7 +176,14 @@ static void put_text(struct table *table, const char *name, const char *text)
     text_add_csv(&table->rows, text);
 }
 
-/** A row's cells that are a record: what is always in tables, and under the conditions `when`. */
+/** Begins a row of a model on a surface. */
+static void put_whose(struct table *table, const struct surface_summary *surface, size_t model)
+{
+    put_text(table, "surface", surface->scene->name);
+    put_text(table, "model", model_rows[model]->name);
+}
+
+/** Cells of a record: the fields that are always in tables, and those under the conditions `when`. */
 static void put_fields(struct table *table, const struct record_field *fields, const void *of, unsigned when)
 {
     for (const struct record_field *field = fields; field->key; field++) {
@@ -249,7 +250,8 @@ static void put_spectrum(struct table *table, const struct surface_record *recor
     text_add_csv(&name, record->summary.scene->name);
     for (size_t i = 0; i < spectrum->count;) {
         const struct spectrum_bin bin = binned ? spectrum_bin_from(spectrum, i) : spectrum_bin_of(spectrum, i);
-        put_word(table, "surface", text_string(&name));
+        begin_cell(table, "surface", "");
+        text_add_bytes(&table->rows, text_string(&name), name.length);
         double wavelength_m = bin.wavelength_m * surface_kappa(&record->summary); /* as the scans have it */
         put_number(table, "wavelength_m", wavelength_m);
         put_number(table, "amplitude_m", bin.amplitude_m);
@@ -263,9 +265,11 @@ static void put_spectrum(struct table *table, const struct surface_record *recor
     text_free(&name);
 }
 
+enum { SPECTRUM, CONTACT, BANDS, CURVE_TABLES };
+
 struct curve_tables {
-    bool binned;
-    struct table spectrum, contact, bands;
+    const struct results *results;
+    struct table table[CURVE_TABLES];
     unsigned quantities, band_quantities; /* QUANTITY_BITs that contact and bands have columns of */
 };
 
@@ -275,9 +279,8 @@ static void put_contact(struct table *table, const struct surface_record *record
     for (size_t m = 0; m < model_count; m++)
         for (size_t i = 0; i < record->curves[m].count; i++) {
             const struct contact_point *point = &record->curves[m].points[i];
-            put_text(table, "surface", record->summary.scene->name);
-            put_word(table, "model", model_rows[m]->name);
-            for (int q = 0; q < QUANTITY_COUNT; q++) {
+            put_whose(table, &record->summary, m);
+            for (enum quantity q = 0; q < QUANTITY_COUNT; q++) {
                 const struct quantity_row *row = &quantity_rows[q];
                 if (!(quantities & QUANTITY_BIT(q)))
                     continue;
@@ -301,12 +304,11 @@ static void put_bands(struct table *table, const struct surface_record *record, 
     for (size_t m = 0; m < model_count; m++)
         for (size_t i = 0; record->bands && record->bands[m] && i < record->band_count; i++) {
             const struct ensemble_band *band = &record->bands[m][i];
-            put_text(table, "surface", record->summary.scene->name);
-            put_word(table, "model", model_rows[m]->name);
+            put_whose(table, &record->summary, m);
             put_number(table, quantity_rows[QUANTITY_LOAD].name, band->load);
-            for (int q = 0; q < QUANTITY_COUNT; q++)
+            for (enum quantity q = 0; q < QUANTITY_COUNT; q++)
                 for (int end = 0; end < 4 && (quantities & QUANTITY_BIT(q)); end++)
-                    put(table, quantity_shown_name((enum quantity)q), ends[end],
+                    put(table, quantity_shown_name(q), ends[end],
                         end < 2 ? band->mean[q][end] : band->next[q][end - 2]);
             end_row(table);
         }
@@ -315,28 +317,29 @@ static void put_bands(struct table *table, const struct surface_record *record, 
 enum status_code curve_tables_put(struct curve_tables *all, const struct surface_record *record,
                                   struct threads_turn *turn, struct status *status)
 {
-    struct table spectrum = table_part(&all->spectrum, turn), contact = table_part(&all->contact, turn),
-                 bands = table_part(&all->bands, turn);
-    put_spectrum(&spectrum, record, all->binned);
-    put_contact(&contact, record, all->quantities);
-    put_bands(&bands, record, all->band_quantities);
-    (void)table_close(&spectrum, status);
-    (void)table_close(&contact, status);
-    return table_close(&bands, status);
+    struct table part[CURVE_TABLES];
+    for (int t = 0; t < CURVE_TABLES; t++)
+        part[t] = table_part(&all->table[t], turn);
+    put_spectrum(&part[SPECTRUM], record, scene_bins_spectra(all->results->scene));
+    put_contact(&part[CONTACT], record, all->quantities);
+    put_bands(&part[BANDS], record, all->band_quantities);
+    for (int t = 0; t < CURVE_TABLES; t++)
+        (void)table_close(&part[t], status);
+    return status->code;
 }
 
 enum status_code curve_tables_open(struct curve_tables **out, const struct results *results, const struct plan *plan,
                                    const char *directory, struct status *status)
 {
+    static const char *const names[] = {"spectrum.csv", "contact.csv", "bands.csv"};
     struct curve_tables *all = *out = calloc(1, sizeof *all);
     if (!all)
         return status_memory(status);
-    *all = (struct curve_tables){.binned = scene_bins_spectra(results->scene),
-                                 .spectrum = table_make(results, directory, "spectrum.csv"),
-                                 .contact = table_make(results, directory, "contact.csv"),
-                                 .bands = table_make(results, directory, "bands.csv"),
-                                 .quantities = plan_quantities(plan)};
-    for (int q = 0; q < QUANTITY_COUNT; q++)
+    all->results = results;
+    all->quantities = plan_quantities(plan);
+    for (int t = 0; t < CURVE_TABLES; t++)
+        all->table[t] = table_make(results, directory, names[t]);
+    for (enum quantity q = 0; q < QUANTITY_COUNT; q++)
         if ((quantity_rows[q].is & QUANTITY_BANDED) && (plan->wanted & QUANTITY_BIT(q)))
             all->band_quantities |= QUANTITY_BIT(q);
     return STATUS_OK;
@@ -344,35 +347,26 @@ enum status_code curve_tables_open(struct curve_tables **out, const struct resul
 
 enum status_code curve_tables_close(struct curve_tables *all, struct status *status)
 {
-    if (!all)
-        return status->code;
-    (void)table_close(&all->spectrum, status);
-    (void)table_close(&all->contact, status);
-    (void)table_close(&all->bands, status);
+    for (int t = 0; all && t < CURVE_TABLES; t++)
+        (void)table_close(&all->table[t], status);
     free(all);
     return status->code;
 }
 
-/** The curves in the making. */
-struct curve_writing {
-    struct curve_tables *all;
-    const struct results *results;
-};
-
 static enum status_code put_surface(void *context, size_t index, struct threads_turn *turn, struct status *status)
 {
-    const struct curve_writing *writing = context;
-    const struct surface_record *record = &writing->results->surfaces[index];
-    return record->summary.usable ? curve_tables_put(writing->all, record, turn, status) : STATUS_OK;
+    struct curve_tables *all = context;
+    const struct surface_record *record = &all->results->surfaces[index];
+    return record->summary.usable ? curve_tables_put(all, record, turn, status) : STATUS_OK;
 }
 
 /** Of surfaces whose arrays are all in memory. */
 static enum status_code write_curves(const struct results *results, const char *directory, struct status *status)
 {
-    struct curve_writing writing = {.results = results};
-    if (curve_tables_open(&writing.all, results, results->plan, directory, status) == STATUS_OK)
-        (void)!threads_run(&results->threads, results->surface_count, put_surface, &writing, status);
-    return curve_tables_close(writing.all, status);
+    struct curve_tables *all;
+    if (curve_tables_open(&all, results, results->plan, directory, status) == STATUS_OK)
+        (void)!threads_run(&results->threads, results->surface_count, put_surface, all, status);
+    return curve_tables_close(all, status);
 }
 
 static void fill_convergence(struct table *table, const struct results *results, size_t sweep)
@@ -385,9 +379,9 @@ static void fill_convergence(struct table *table, const struct results *results,
                 continue;
             const double *area = results_sweep(results, (enum convergence_sweep)sweep, m, v);
             for (size_t k = 0; k < count; k++) {
-                put_word(table, "sweep", convergence_sweeps[sweep].name);
+                put_text(table, "sweep", convergence_sweeps[sweep].name);
                 put_number(table, "value", convergence_sweeps[sweep].values[v]);
-                put_word(table, "model", model_rows[m]->name);
+                put_text(table, "model", model_rows[m]->name);
                 put_number(table, "wavelength_m", study->scan_length_m / (double)(index[k] + 1));
                 put_number(table, "area_ratio", area[index[k]]);
                 end_row(table);
@@ -398,8 +392,8 @@ static void fill_convergence(struct table *table, const struct results *results,
 static void fill_cost(struct table *table, const struct results *results, size_t index)
 {
     const struct benchmark_row *row = &results->benchmark->rows[index];
-    put_word(table, "study", "tolerance");
-    put_word(table, "method", model_rows[row->model]->name);
+    put_text(table, "study", "tolerance");
+    put_text(table, "method", model_rows[row->model]->name);
     begin_cell(table, "setting", "");
     text_add(&table->rows, "%g", row->tolerance);
     put_count(table, "evaluations", row->evaluations);
@@ -423,7 +417,7 @@ static void put_estimate(struct table *table, const char *surface, const char *q
     if (estimate->count == 0)
         return;
     put_text(table, "surface", surface);
-    put_word(table, "quantity", quantity);
+    put_text(table, "quantity", quantity);
     put_fields(table, record_estimate_fields, &record, 0);
     end_row(table);
 }
@@ -455,9 +449,8 @@ static void fill_sensitivity(struct table *table, const struct results *results,
         for (int c = 0; c < SENSITIVITY_CHANGES && s->usable && surface_model(s, m)->exists; c++) {
             if (sensitivity_changes[c].plastic && !model_rows[m]->plastic)
                 continue;
-            put_text(table, "surface", s->scene->name);
-            put_word(table, "model", model_rows[m]->name);
-            put_word(table, "change", sensitivity_changes[c].name);
+            put_whose(table, s, m);
+            put_text(table, "change", sensitivity_changes[c].name);
             put_number(table, "area_factor", surface_model(s, m)->sensitivity.area[c]);
             if (plan_runs(results->plan, EFFECT_ELECTRICAL))
                 put_number(table, "ecr_factor", surface_model(s, m)->sensitivity.ecr[c]);
@@ -595,14 +588,13 @@ static void fill_direct(struct table *table, const struct results *results, size
     const struct direct_study_curve *curve = &study->curves[kind];
     for (size_t i = 0; curve->points && i < curve->loads; i++) {
         put_text(table, "surface", results->surfaces[study->surface].summary.scene->name);
-        put_word(table, "source", study->plan.side > 0 ? "map" : "law");
+        put_text(table, "source", study->plan.side > 0 ? "map" : "law");
         put_number(table, "load_over_AnEp", study->plan.load[i]);
-        for (int q = 0; q < QUANTITY_COUNT; q++) {
+        for (enum quantity q = 0; q < QUANTITY_COUNT; q++) {
             const struct quantity_solved *solved = &quantity_rows[q].solved;
             if (!solved->column || !(results->plan->wanted & QUANTITY_BIT(q)))
                 continue;
-            double error, value = direct_study_value(study, results_pair(results, study->surface), kind,
-                                                     (enum quantity)q, i, &error);
+            double error, value = direct_study_value(study, results_pair(results, study->surface), kind, q, i, &error);
             put_number(table, solved->column, value);
             if (solved->ratio)
                 put(table, solved->ratio, "_stderr", error);
@@ -610,7 +602,7 @@ static void fill_direct(struct table *table, const struct results *results, size
         put_number(table, "patches", curve->points[i].mean[DIRECT_PATCHES].value);
         put_count(table, "seeds", curve->seeds);
         put_count(table, "grid", study->plan.grid);
-        put_word(table, "heights", direct_study_heights(study));
+        put_text(table, "heights", direct_study_heights(study));
         put_number(table, "hardness_Pa",
                    kind == DIRECT_STUDY_CAPPED
                        ? study->plan.hardness * results_pair(results, study->surface)->effective_modulus_Pa
@@ -625,13 +617,11 @@ static void fill_direct_ratio(struct table *table, const struct results *results
     const struct material_pair *pair = results_pair(results, study->surface);
     for (size_t m = 0; m < model_count; m++)
         for (size_t i = 0; study->models[m].exists && i < study->curves[direct_study_kind_of(study, m)].loads; i++) {
-            put_text(table, "surface", results->surfaces[study->surface].summary.scene->name);
-            put_word(table, "model", model_rows[m]->name);
+            put_whose(table, &results->surfaces[study->surface].summary, m);
             put_number(table, "load_over_AnEp", study->plan.load[i]);
-            for (int q = 0; q < QUANTITY_COUNT; q++)
+            for (enum quantity q = 0; q < QUANTITY_COUNT; q++)
                 if (quantity_rows[q].solved.ratio && (results->plan->wanted & QUANTITY_BIT(q)))
-                    put_number(table, quantity_rows[q].solved.ratio,
-                               direct_study_ratio(study, pair, m, (enum quantity)q, i));
+                    put_number(table, quantity_rows[q].solved.ratio, direct_study_ratio(study, pair, m, q, i));
             end_row(table);
         }
 }

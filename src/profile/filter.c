@@ -7,9 +7,9 @@
 
 static const double filter_alpha = 0.46971863934982566; /* sqrt(ln 2/pi), ISO 16610-21 */
 static const double filter_smallest = 1e-9;             /* weight at which the tail is cut, of the largest */
-enum { NEAR = 24 }; /* neighbours on either side up to which a sum is quicker than transforms */
+enum { NEAR = 24 }; /* up to so many neighbours on either side a sum is quicker than transforms */
 
-/** How many neighbours on either side have a weight; never more than there are. */
+/** How many neighbours on either side have a weight; at most all. */
 static size_t reach_of(const struct profile *profile, double cutoff_m)
 {
     double reach = filter_alpha * cutoff_m * sqrt(-log(filter_smallest) / M_PI) / profile->spacing_m;
@@ -22,7 +22,7 @@ static double weight_of(size_t apart, double spacing_m, double cutoff_m)
     return exp(-M_PI * x * x);
 }
 
-/** The sum itself; reach < points: around an end of a periodic record it goes on at the other. */
+/** The weighted sums themselves; reach < points. */
 static void add_near(double *smooth_m, const struct profile *profile, const double *weight, size_t reach)
 {
     const double *height_m = profile->height_m;
@@ -39,9 +39,8 @@ static void add_near(double *smooth_m, const struct profile *profile, const doub
     }
 }
 
-/** Adds up the neighbours of each of the first `points` values of room->record, weighted, by transforms: n log n
- * whatever the reach. `weights` is the transform of the weights, which are even; `length` values go around the ends.
- * False: out of memory. */
+/** The weighted sums of the first `points` values of room->record by transforms of `length`; `weights` is the transform
+ * of the weights, which are even. False: out of memory. */
 static bool add_up(struct fft_room *room, const fftw_complex *weights, size_t points, size_t length)
 {
     memset(room->record + points, 0, (length - points) * sizeof *room->record);

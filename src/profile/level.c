@@ -47,8 +47,7 @@ static struct polynomial fit(const struct record *record, const double *z, const
         mean += w * (z[i] - z[0]);
     }
     p.centre /= count;
-    mean = mean / count + z[0]; /* about the first height, so that an offset of many Rq costs no digits */
-    p.a[0] = mean;
+    p.a[0] = mean = mean / count + z[0]; /* about the first height, so that a large offset costs no digits */
     if (degree < 1)
         return p;
     for (size_t i = 0; i < record->points; i++) {
@@ -113,14 +112,14 @@ static enum status_code take_robust_line(struct levelling *out, const struct rec
     return STATUS_OK;
 }
 
-/** A record to which an arc is fitted, and where the fit starts: c, s, k (level.h) in u and z/half_m. */
+/** Fit of an arc to a record, and its start: c, s, k (level.h) in u and z/half_m. */
 struct arc_fit {
     const struct record *record;
     const double *z;
     double start[ARC_PARAMETERS];
 };
 
-/** c, s, k at x, which is 1 at the start so that GSL's steps of differences, relative to x, suit a flat arc too. */
+/** c, s, k at x, which is 1 at the start: GSL's steps are relative to x and so suit a flat arc too. */
 static void arc_of(double arc[ARC_PARAMETERS], const struct arc_fit *fit, const gsl_vector *x)
 {
     for (size_t i = 0; i < ARC_PARAMETERS; i++)
@@ -154,7 +153,7 @@ static enum status_code take_arc(struct levelling *out, const struct record *rec
 {
     if (record->points < ARC_PARAMETERS)
         return status_fail(status, STATUS_SCAN, "no arc fits %zu points; take a longer scan", record->points);
-    double first = z[0]; /* 3 mm of offset would cost digits */
+    double first = z[0]; /* a large offset would cost digits */
     for (size_t i = 0; i < record->points; i++)
         z[i] -= first;
     struct polynomial p = fit(record, z, NULL, 2);

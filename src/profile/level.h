@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Levelling: what is no roughness is taken out of the heights, by least squares of the heights (not of distances). */
+/* Levelling: takes the form out of the heights, by least squares of heights (not of distances). */
 #ifndef PROFILE_LEVEL_H
 #define PROFILE_LEVEL_H
 
@@ -26,12 +26,11 @@ struct levelling {
 };
 
 /** Takes mean, line, parabola, arc or robust line out of `points` heights, spacing_m apart.
- *  parabola, line, mean: least squares.
- *  circle: least squares, in height, of an arc z = c + x (2 s + k x)/(cos a + cos b), sin a = s, sin b = s + k x, of
- *          curvature k (GSL's Levenberg-Marquardt); the record must span less than half a circle.
+ *  circle: the arc of curvature k, z = c + x (2 s + k x)/(cos a + cos b), sin a = s, sin b = s + k x, by GSL's
+ *          Levenberg-Marquardt; the record must span less than half a circle.
  *  robust: iterated least squares with Tukey's biweight (tuning 4.685, scale 1.4826 MAD; Holland & Welsch 1977,
- *          doi:10.1080/03610927708827533). A point of weight 0 is an outlier.
- * Errors: STATUS_SCAN: no arc fits; STATUS_MEMORY. */
+ *          doi:10.1080/03610927708827533). Points of weight 0 are outliers.
+ * Errors: STATUS_SCAN (no arc fits), STATUS_MEMORY. */
 MUST_CHECK enum status_code level_remove(struct levelling *out, double *height_m, size_t points, double spacing_m,
                                          enum level level, struct status *status);
 /** The same of heights at x_m, which ascend. */

@@ -23,31 +23,23 @@ PRINTF_LIKE(2, 3) static void profile_note(struct profile *profile, const char *
     va_end(args);
 }
 
-/* ---- What makes its numbers doubtful where contact is concerned ---- */
-
+/* Limits beyond which numbers of contact are doubtful */
 static const double sanity_steepest = 10;     /* slope */
 static const double sanity_digit_share = 0.2; /* of m4 */
 static const double sanity_noise_ratio = 8;   /* of m4 at h to m4 at 2h: amplitudes as lambda^0.5 */
 static const double sanity_end_jump = 3;      /* Rq */
 enum { SANITY_POINTS = 64, SANITY_STEPS = 30 };
 
-/** Of the differences of neighbours the one nearest to their mean: the tilt, rounded as the heights are. */
-static double rounded_tilt(const double *height_m, size_t points)
-{
-    double mean = (height_m[points - 1] - height_m[0]) / (double)(points - 1), nearest = INFINITY;
-    for (size_t i = 1; i < points; i++) {
-        double d = height_m[i] - height_m[i - 1];
-        nearest = fabs(d - mean) < fabs(nearest - mean) ? d : nearest;
-    }
-    return nearest;
-}
-
 double profile_digitiser_step(const double *height_m, size_t points)
 {
-    double largest = 0, least = INFINITY, sum = 0, tilt = rounded_tilt(height_m, points);
-    for (size_t i = 0; i < points; i++)
+    double largest = fabs(height_m[0]), least = INFINITY, sum = 0;
+    double mean = (height_m[points - 1] - height_m[0]) / (double)(points - 1), tilt = INFINITY;
+    for (size_t i = 1; i < points; i++) { /* of the differences the one nearest to their mean, rounded as heights are */
+        double d = height_m[i] - height_m[i - 1];
+        tilt = fabs(d - mean) < fabs(tilt - mean) ? d : tilt;
         largest = fabs(height_m[i]) > largest ? fabs(height_m[i]) : largest;
-    double nothing = 1e-13 * largest; /* equal heights may differ by what conversion of units rounds */
+    }
+    double nothing = 1e-13 * largest; /* equal heights may differ by rounding of units */
     for (size_t i = 1; i < points; i++) {
         double d = fabs(height_m[i] - height_m[i - 1] - tilt);
         least = d > nothing && d < least ? d : least;
@@ -59,7 +51,7 @@ double profile_digitiser_step(const double *height_m, size_t points)
             sum += d, ones++;
     }
     if (ones == 0)
-        return 0; /* all neighbours differ alike */
+        return 0; /* all differences are equal */
     double step = sum / (double)ones;
     for (size_t i = 1; i < points; i++) {
         double d = fabs(height_m[i] - height_m[i - 1] - tilt) / step;
@@ -85,24 +77,11 @@ static double curvature(const struct profile *profile, size_t lag)
     return count > 0 ? sum / (double)count : 0;
 }
 
-static void check_units(struct profile *profile, double rq_m)
-{
-    double length_m = (double)profile->points * profile->spacing_m, steepest = 0;
-    for (size_t i = 1; i < profile->points; i++)
-        steepest = fmax(steepest, fabs(profile->height_m[i] - profile->height_m[i - 1]) / profile->spacing_m);
-    if (rq_m > length_m)
-        profile_note(profile, "Rq %.3g m is above the length of the scan, %.3g m: check x_unit and z_unit", rq_m,
-                     length_m);
-    else if (steepest > sanity_steepest)
-        profile_note(profile, "the steepest slope is %.3g (%.0f degrees): check the units, or spikes in the scan",
-                     steepest, atan(steepest) * 180 / M_PI);
-}
-
 static void check_curvature(struct profile *profile, double digit_m, const struct profile_options *options)
 {
     double m4 = curvature(profile, 1), coarse = curvature(profile, 2), h = profile->spacing_m;
     double tip_m = options->tip_radius_m, digit_m4 = digit_m / h / h * (digit_m / h / h) / 2;
-    if (options->lambda_s_m > 2 * h) /* what follows then is not in the profile any more */
+    if (options->lambda_s_m > 2 * h) /* the filter takes out what follows */
         return;
     if (digit_m4 > sanity_digit_share * m4)
         profile_note(
@@ -123,22 +102,28 @@ static void check_curvature(struct profile *profile, double digit_m, const struc
                      1e6 / sqrt(m4), tip_m * 1e6);
 }
 
-/** Notes what is doubtful about a levelled profile that is not filtered yet:
- *  an Rq above the length, a slope above 10: units;
- *  rounding noise of the digitiser, variance q²/12 a point, so m4 = 6 (q²/12)/h^4, above 20 % of m4 (no lambda_s);
- *  noise: m4 falls by over 8 when every other point is left out (white noise: 16, a resolved profile: 1);
- *  a tip radius above the RMS radius of curvature;
- *  ends that differ by over 3 Rq; under 64 points. */
+/** Notes what is doubtful about a levelled profile before filtering:
+ *  Rq above the length, or a slope above 10: wrong units;
+ *  rounding of the digitiser's step q, of variance q²/12, makes m4 = 6 (q²/12)/h^4, above 20 % of m4 (no lambda_s);
+ *  noise: m4 is 8 times smaller or more with every other point (white noise: 16, a resolved profile: 1);
+ *  a tip radius above the RMS radius of curvature; ends that differ by over 3 Rq; under 64 points. */
 static void check_sanity(struct profile *profile, double digit_m, const struct profile_options *options)
 {
-    double sum_m = 0, square_m2 = 0;
+    const double *z = profile->height_m, length_m = (double)profile->points * profile->spacing_m;
+    double sum_m = 0, square_m2 = 0, steepest = 0, jump_m = fabs(z[profile->points - 1] - z[0]);
     for (size_t i = 0; i < profile->points; i++)
-        sum_m += profile->height_m[i];
-    for (size_t i = 0; i < profile->points; i++)
-        square_m2 += pow(profile->height_m[i] - sum_m / (double)profile->points, 2);
+        sum_m += z[i];
+    for (size_t i = 0; i < profile->points; i++) {
+        square_m2 += pow(z[i] - sum_m / (double)profile->points, 2);
+        steepest = i > 0 ? fmax(steepest, fabs(z[i] - z[i - 1]) / profile->spacing_m) : 0;
+    }
     double rq_m = sqrt(square_m2 / (double)profile->points);
-    double jump_m = fabs(profile->height_m[profile->points - 1] - profile->height_m[0]);
-    check_units(profile, rq_m);
+    if (rq_m > length_m)
+        profile_note(profile, "Rq %.3g m is above the length of the scan, %.3g m: check x_unit and z_unit", rq_m,
+                     length_m);
+    else if (steepest > sanity_steepest)
+        profile_note(profile, "the steepest slope is %.3g (%.0f degrees): check the units, or spikes in the scan",
+                     steepest, atan(steepest) * 180 / M_PI);
     check_curvature(profile, digit_m, options);
     if (jump_m > sanity_end_jump * rq_m)
         profile_note(profile, "the ends of the record differ by %.3g um, %.1f Rq: as a period it has a step there",
@@ -147,13 +132,11 @@ static void check_sanity(struct profile *profile, double digit_m, const struct p
         profile_note(profile, "only %zu points; the spectrum has %zu harmonics", profile->points, profile->points / 2);
 }
 
-/* ---- Making it ---- */
-
 const struct profile_options profile_defaults = {.level = LEVEL_LINE, .max_missing = 0.1, .periodic_mean = true};
 
-static const double spacing_uniform = 1e-3; /* steps that differ by less, of their mean, are the same */
-static const double spacing_same = 1e-4;    /* steps of one kind */
-static const double spacing_nominal = 5e-3; /* how far the header's may be off: it has few digits too */
+static const double spacing_uniform = 1e-3; /* share of the mean step by which uniform steps may differ */
+static const double spacing_same = 1e-4;    /* the same for rounded steps that are equal */
+static const double spacing_nominal = 5e-3; /* the same for the header's spacing, which has few digits too */
 enum { SPACING_KINDS = 5, LEAST_POINTS = 3 };
 
 static double peak_to_valley(const struct profile *profile)
@@ -163,7 +146,7 @@ static double peak_to_valley(const struct profile *profile)
     return highest - lowest;
 }
 
-/** Bridges the gap before point `end`, whose last point before is `start`. */
+/** Bridges the gap between points `start` and `end`. */
 static void bridge(double *z, const double *x, size_t start, size_t end)
 {
     for (size_t i = start + 1; i < end; i++) {
@@ -172,8 +155,8 @@ static void bridge(double *z, const double *x, size_t start, size_t end)
     }
 }
 
-/** Cuts missing points off the ends, and bridges those between by straight lines over x_m (NULL: uniform). *first is
- * the index that the profile now starts at. */
+/** Cuts missing points off the ends, and bridges the others by straight lines over x_m (NULL: uniform). *first is the
+ * point where the profile now starts. */
 static enum status_code close_gaps(struct profile *profile, size_t *first, const double *x_m, double most,
                                    struct status *status)
 {
@@ -217,13 +200,12 @@ static enum status_code close_gaps(struct profile *profile, size_t *first, const
     return STATUS_OK;
 }
 
-/** How the positions deviate from a uniform grid. Rounded means: steps of few kinds, and no point further off its place
- * than the digit they are rounded to. */
+/** Whether the positions are uniform, rounded or uneven. Rounded: few different steps, and no point is off its place by
+ * more than the last digit. */
 static enum profile_spacing judge_spacing(const double *x_m, size_t points, double spacing_m)
 {
-    double shortest = INFINITY, longest = 0, deviation = 0;
-    double kinds[SPACING_KINDS];
-    size_t kind_count = 0; /* distinct steps, up to SPACING_KINDS */
+    double shortest = INFINITY, longest = 0, deviation = 0, kinds[SPACING_KINDS];
+    size_t kind_count = 0; /* different steps, up to SPACING_KINDS */
     for (size_t i = 1; i < points; i++) {
         double step = x_m[i] - x_m[i - 1];
         shortest = fmin(shortest, step);
@@ -237,13 +219,11 @@ static enum profile_spacing judge_spacing(const double *x_m, size_t points, doub
     }
     if (longest - shortest <= spacing_uniform * spacing_m)
         return PROFILE_UNIFORM;
-    if (kind_count < SPACING_KINDS && deviation <= 1.05 * (longest - shortest))
-        return PROFILE_ROUNDED;
-    return PROFILE_RESAMPLED;
+    bool rounded = kind_count < SPACING_KINDS && deviation <= 1.05 * (longest - shortest);
+    return rounded ? PROFILE_ROUNDED : PROFILE_RESAMPLED;
 }
 
-/** Keeps the measured points of an uneven scan and puts its heights on a uniform grid by Steffen's monotone
- * interpolation. */
+/** Keeps the measured points of an uneven scan, and interpolates its heights to a uniform grid (Steffen, monotonic). */
 static enum status_code even_out(struct profile *profile, const double *x_m, struct status *status)
 {
     size_t points = profile->points;
@@ -269,8 +249,7 @@ static enum status_code even_out(struct profile *profile, const double *x_m, str
     return STATUS_OK;
 }
 
-/** What a step makes of heights with nothing but form or waves in them is rounding: up to some units of the last place
- * of the heights as measured. */
+/** Rounding error [m] of levelling and filtering: heights that differ by no more are flat. */
 static double rounding(const struct profile *profile, double peak_to_valley_m)
 {
     return 32 * DBL_EPSILON * (fabs(profile->height_m[0]) + peak_to_valley_m);
@@ -308,7 +287,7 @@ static enum status_code take_level(struct profile *profile, const struct profile
     return STATUS_OK;
 }
 
-/** Takes the Gaussian low-pass or, where `high`, what it leaves, of the heights. */
+/** Gaussian low-pass of the heights or, where `high`, their difference from it. */
 static enum status_code pass(struct profile *profile, double cutoff_m, bool high, struct status *status)
 {
     double *smooth_m = malloc(profile->points * sizeof *smooth_m);
@@ -343,7 +322,7 @@ static enum status_code take_filters(struct profile *profile, const struct profi
                            length_m);
     if (lambda_c_m > 0 && pass(profile, lambda_c_m, true, status) != STATUS_OK)
         return status->code;
-    free(profile->measured_x_m); /* these points did not go through the filters */
+    free(profile->measured_x_m); /* these points are not filtered */
     free(profile->measured_z_m);
     profile->measured_x_m = profile->measured_z_m = NULL;
     return peak_to_valley(profile) > rounding_m
@@ -351,7 +330,7 @@ static enum status_code take_filters(struct profile *profile, const struct profi
                : status_fail(status, STATUS_SCAN, "no roughness is left between lambda_s and lambda_c");
 }
 
-/** Leaves out the run-up and the overtravel that the scan's header names, as far as the record has them. */
+/** Leaves out the run-up and the overtravel that the scan's header names. */
 static enum status_code cut_margins(struct profile *profile, const double margin_m[2], struct status *status)
 {
     size_t cut[2];
@@ -386,7 +365,6 @@ enum status_code profile_make(struct profile *out, const struct scan *scan, size
     out->points = scan->nx;
     out->spacing_m = scan->dx_m;
     if (scan->x_m) {
-        out->spacing_m = (scan->x_m[scan->nx - 1] - scan->x_m[0]) / (double)(scan->nx - 1);
         out->grid = judge_spacing(scan->x_m, scan->nx, out->spacing_m);
         nominal = out->grid == PROFILE_ROUNDED && fabs(scan->nominal_dx_m / out->spacing_m - 1) <= spacing_nominal;
         out->spacing_m = nominal ? scan->nominal_dx_m : out->spacing_m;
@@ -403,7 +381,7 @@ enum status_code profile_make(struct profile *out, const struct scan *scan, size
         if (even_out(out, x_m, status) != STATUS_OK)
             return status->code;
     }
-    const bool runs_in = options->lambda_c_m > 0; /* the filter, on what is left out */
+    const bool runs_in = options->lambda_c_m > 0; /* the high-pass uses run-up and overtravel for its ends */
     if (!runs_in && cut_margins(out, scan->margin_m, status) != STATUS_OK)
         return status->code;
     out->periodic = out->points >= 3 && record_window_is_periodic(out->height_m, out->points);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A scan made ready: gaps bridged, heights at a uniform spacing, levelled, filtered (docs/equations.md, From scan to
- * spectrum). Every step that did something leaves a line in `notes`. */
+/* From a scan to a profile: gaps bridged, uniform spacing, levelled, filtered (docs/equations.md, From scan to
+ * spectrum). Every step that changed something adds a line to `notes`. */
 #ifndef PROFILE_PROFILE_H
 #define PROFILE_PROFILE_H
 
@@ -11,74 +11,70 @@ enum profile_spacing { PROFILE_UNIFORM, PROFILE_ROUNDED, PROFILE_RESAMPLED };
 
 enum { PROFILE_NOTES = 24, PROFILE_NOTE_LENGTH = 240 };
 
-/** How a scan is made ready; the scene's keys of the same names. */
+/** The scene's keys of the same names. */
 struct profile_options {
     enum level level;
     double max_missing;            /* share of the points, 0...1 */
     double lambda_s_m, lambda_c_m; /* cut-offs of the Gaussian low-pass and high-pass; 0: none */
     double tip_radius_m;           /* for a warning only; 0: not known */
-    bool periodic_mean;            /* of a periodic record the mean is taken out, not a line, which would make a step */
+    bool periodic_mean;            /* of a periodic record take the mean out: a line would make a step at its ends */
 };
 
 struct profile {
     double *height_m; /* `points` heights, spacing_m apart, levelled and filtered */
     size_t points;
     double spacing_m;
-    enum profile_spacing grid;           /* as printed; rounded x, nominal spacing used; uneven x, interpolated */
+    enum profile_spacing grid;           /* as it was; rounded: x is not used; resampled: x was uneven */
     double *measured_x_m, *measured_z_m; /* uneven x and no filter: the points as measured, levelled; else NULL */
-    bool periodic;                       /* it closes on itself, before levelling: record_window_is_periodic() */
+    bool periodic;                       /* before levelling: record_window_is_periodic() */
     double digit_m;                      /* step of the digitiser: profile_digitiser_step(); 0: none seen */
-    double margin_m[2];                  /* of run-up and overtravel, left out at its ends */
-    double tilt;                         /* slope the levelling took out (line, parabola, circle, robust), else 0 */
+    double margin_m[2];                  /* run-up and overtravel that were left out */
+    double tilt;                         /* slope that levelling took out (line, parabola, circle, robust), else 0 */
     char notes[PROFILE_NOTES][PROFILE_NOTE_LENGTH]; /* each one line, lower case: steps taken and warnings */
     size_t note_count;
 };
 
-/** Line (mean of a periodic record), a tenth of the points may be missing, no filters. */
+/** A line (of a periodic record the mean), a tenth of the points may be missing, no filters. */
 extern const struct profile_options profile_defaults;
 
-/** Makes the profile of a scan's row `row` (0 for a profile):
- *  missing points: at the ends cut off, between others bridged by straight lines;
- *  x: uniform; or rounded to few digits: the header's spacing where it names one that fits to 0.5 %, else the mean one;
- *     or uneven: interpolated monotonically (Steffen) to a uniform grid;
- *  run-up and overtravel left out, but where lambda_c is given: then they are what the filter runs in on;
- *  levelling (level.h); Gaussian low-pass lambda_s, then high-pass lambda_c.
- * Owned: profile_free(), whatever comes back. Errors: STATUS_SCAN: more points missing than options->max_missing, fewer
- * than 3 left, a flat profile (before or after levelling or the filters), a lambda_c longer than the scan;
- * STATUS_MEMORY. */
+/** Makes the profile of row `row` of a scan:
+ *  missing points are cut off at the ends, and bridged by straight lines elsewhere;
+ *  x rounded to few digits: the header's spacing if it fits to 0.5 %, else the mean one; uneven: interpolated
+ * (Steffen); run-up and overtravel are left out, with lambda_c after the filters, which use them; levelling (level.h),
+ * Gaussian low-pass lambda_s, high-pass lambda_c. profile_free() frees it whatever is returned. Errors: STATUS_SCAN
+ * (more missing than options->max_missing, fewer than 3 points, flat before or after a step, lambda_c longer than the
+ * scan), STATUS_MEMORY. */
 MUST_CHECK enum status_code profile_make(struct profile *out, const struct scan *scan, size_t row,
                                          const struct profile_options *options, struct status *status);
 void profile_free(struct profile *profile);
 
-/** The step [m] of the digitiser, 0 where none is seen, in at least 2 heights, from the differences of neighbours with
- * the tilt off: less the one that is nearest to their mean, which is rounded as they are, so that it does not matter
- * whether the instrument levelled after it had digitised. The step is the smallest that is left, when at least 95 % of
- * the small ones (below 3.5 of it) are whole multiples of it to 15 % (instruments round once more when they print), and
- * there are enough of them (1 % of the points, 30 or more). */
+/** The step [m] of the digitiser, 0 where none is seen, in at least 2 heights. From the differences of neighbours the
+ * one nearest to their mean is subtracted: the tilt, rounded as heights are, so that it does not matter whether the
+ * instrument levelled after digitising. The step is the smallest difference left, if 95 % of those below 3.5 times it
+ * are whole multiples of it to 15 % (printing rounds once more) and they are 30 and 1 % of the points or more. */
 double profile_digitiser_step(const double *height_m, size_t points);
 
 /* The linear Gaussian profile filter (ISO 16610-21). */
 
 /** Smooths a profile's heights into smooth_m, which does not overlap them: weights exp(-pi (x/(a lambda))²), a =
- * sqrt(ln 2/pi), which let half of the amplitude of wavelength lambda = cutoff_m through, cut off where they fall below
- * 1e-9 of the largest (1.21 cutoff_m). Near the ends only the weights that lie within the record count, renormalised to
- * the sum 1: no point is cut off, and a constant passes unchanged up to both ends. By FFT, n log n, where more than a
- * few neighbours have a weight. Of a periodic record the end goes on at the beginning, with all weights. Errors:
+ * sqrt(ln 2/pi), pass half the amplitude of wavelength lambda = cutoff_m; below 1e-9 of the largest (1.21 cutoff_m)
+ * they are 0. Near the ends the weights within the record are scaled to the sum 1: no point is cut off, and a constant
+ * stays. A periodic record goes on beyond its ends. By FFT where more than a few neighbours have a weight. Error:
  * STATUS_MEMORY. */
 MUST_CHECK enum status_code filter_gaussian(double *smooth_m, const struct profile *profile, double cutoff_m,
                                             struct status *status);
 
-/* Whether a record closes on itself, and the window for one that does not: the spectrum of a record cut out of a longer
- * surface is spoilt by the step between its ends. */
+/* A record that does not close on itself has a step between its ends, which spoils the spectrum: it gets a window. */
 
-/** sqrt(8/3): the mean square of (1 - cos)/2 is 3/8. A constant, not what keeps this one record's mean square: that
- * would put the scatter of its longest waves into every harmonic. Harris 1978, doi:10.1109/PROC.1978.10837 */
+/** sqrt(8/3), for the mean square of (1 - cos)/2 is 3/8. The same for every record: a factor that keeps the mean square
+ * of this one would bring the scatter of its longest waves into all harmonics. Harris 1978,
+ * doi:10.1109/PROC.1978.10837 */
 extern const double record_window_hann_factor;
 
-/** Is the record periodic? By RAW heights, before levelling, as a line taken out would make a step: the step from last
- * to first is at most 3 rms differences of neighbours, and each second difference across that join at most 3 rms second
- * differences, the rms over those inside the record. Of simulated periodic records 98 % pass and more, of others 1 % or
- * less. points >= 3; heights finite. A constant record is periodic. */
+/** Is the record periodic? From heights before levelling (a line taken out would make a step): the step from last to
+ * first is at most 3 rms differences of neighbours, and each second difference there at most 3 rms second differences.
+ * At least 98 % of simulated periodic records pass, and at most 1 % of others. points >= 3, heights finite. A constant
+ * record is periodic. */
 bool record_window_is_periodic(const double *raw_height_m, size_t points);
 
 /** Multiplies heights of mean zero in place by sqrt(8/3) (1 - cos(2 pi (t + 1/2)/N))/2, t = 0 ... N-1. */

@@ -15,14 +15,13 @@ struct synth_def synth_def_default(void)
         .alpha = 0.085, .gamma = 1.5, .length_m = 3e-4, .points = 1200, .scatter_decades = 0.2785, .seed = 1};
 }
 
-/** The harmonics being made; arrays of `count`, index n - 1. */
+/** The harmonics; arrays of `count`, index n - 1. */
 struct synth {
     const struct synth_def *def;
     size_t count;   /* the last is the Nyquist harmonic when the points are even */
     size_t in_band; /* harmonics with wavelength >= lambda_s: the first ones */
     double *xi[2];  /* two directions of scatter, each of RMS 1 in the band and orthogonal to 1 and log lambda there */
-    double *amplitude;
-    double *phase;
+    double *amplitude, *phase;
 };
 
 /** The Nyquist harmonic has no sine part, and its mean square is the whole amplitude squared. */
@@ -80,7 +79,7 @@ static double set_amplitudes(struct synth *synth, double angle)
     return sqrt(power);
 }
 
-/** Scales the amplitudes to Rq, or turns the scatter until it is met. */
+/** Scales the amplitudes to Rq, or mixes the two directions of scatter until it is met. */
 static enum status_code meet_rq(struct synth *synth, struct status *status)
 {
     enum { STEPS = 720 };
@@ -127,8 +126,8 @@ static double line_of_sine(size_t n, size_t points)
     return -0.5 * (double)points / tan(M_PI * (double)n / (double)points);
 }
 
-/** Sum of a_n cos(2 pi n j/N + phase_n) has a least-squares line from its sine parts -a_n sin(phase_n) alone; the
- * cosine parts add -N/2 each to sum_j j z_j. One harmonic's phase makes the whole level. */
+/** Makes sum_j j z_j = 0 for z_j = sum a_n cos(2 pi n j/N + phase_n), to which a cosine part adds -N/2 and a sine part
+ * line_of_sine(), by the phase of one harmonic. */
 static bool make_level(struct synth *synth)
 {
     size_t points = synth->def->points;

@@ -102,7 +102,7 @@ static double place_of(const json_t *loads, double load, size_t *before)
     return NAN;
 }
 
-/** What a curve has there, straight in the logarithms; NaN: nothing. */
+/** A curve's value there, straight in the logarithms; NaN: none. */
 static double on_curve(const json_t *values, size_t before, double share)
 {
     double value = real(json_array_get(values, before)), next = real(json_array_get(values, before + 1));
@@ -131,9 +131,9 @@ static struct side side_of(const struct compared *all, size_t k, const char *nam
     double share = NAN;
     if (out.elsewhere)
         share = place_of(json_object_get(model, "load_over_AnEp"), reference->pressure_Pa / modulus_Pa, &before);
-    for (int q = 0; q < QUANTITY_COUNT; q++)
+    for (enum quantity q = 0; q < QUANTITY_COUNT; q++)
         at.value[q] = out.elsewhere ? on_curve(json_object_get(model, quantity_rows[q].name), before, share)
-                                    : real(json_object_get(operating, quantity_shown_name((enum quantity)q)));
+                                    : real(json_object_get(operating, quantity_shown_name(q)));
     bool gap = quantity == QUANTITY_SEPARATION, adjusts = gap && isfinite(at.value[QUANTITY_ADJUSTED]);
     out.value = at.value[adjusts ? QUANTITY_ADJUSTED : quantity];
     out.value /= gap && out.elsewhere ? sqrt(real(json_object_get(surface, "m0_m2"))) : 1;
@@ -174,7 +174,7 @@ static enum status_code take_ranked(struct compared *all, size_t k, const char *
         if (!(side.value > 0) || !isfinite(side.value)) {
             if (all->without_count++ < NAMED_MOST) {
                 json_t *line = view_item(all->without);
-                view_count(line, "report", all->reports);
+                json_set_count(line, "report", all->reports);
                 view_text(line, "surface", name);
             }
             continue;
@@ -186,7 +186,7 @@ static enum status_code take_ranked(struct compared *all, size_t k, const char *
             return status_memory(status);
         bool rises = quantity_rows[all->criterion].is & QUANTITY_RISES;
         json_t *line = json_object();
-        view_count(line, "report", all->reports);
+        json_set_count(line, "report", all->reports);
         view_text(line, "path", path);
         view_text(line, "surface", name);
         all->ranked = more;
@@ -260,7 +260,7 @@ static enum status_code add_ranking(json_t *view, struct compared *all, struct s
 {
     char unit[UNIT_LENGTH + 20];
     const struct estimate **known = malloc((all->ranked_count + 1) * sizeof *known);
-    struct comparison_ranking ranking = {.count = 0};
+    struct comparison ranking = {.count = 0};
     json_t *out = view_part(view, "ranking");
     if (!known)
         return status_memory(status);
@@ -280,7 +280,7 @@ static enum status_code add_ranking(json_t *view, struct compared *all, struct s
         json_t *line = all->ranked[i].line, *shown = view_part(line, "shown");
         char letters[RANKING_LETTERS + 1] = "";
         bool tested = side->known.count > 0;
-        view_count(line, "rank", i + 1);
+        json_set_count(line, "rank", i + 1);
         put_side(line, side, scale);
         view_number(shown, "ratio", side->value / all->ranked[0].side.value, 3, "");
         if (tested && place > 0) { /* against the best of those tested */
@@ -294,7 +294,7 @@ static enum status_code add_ranking(json_t *view, struct compared *all, struct s
         json_array_append(view_list(out, "lines"), line);
         place += tested;
     }
-    comparison_ranking_free(&ranking);
+    comparison_free(&ranking);
     free(known);
     return rc;
 }
@@ -321,7 +321,7 @@ static void add_number(json_t *view, struct compared *all, const char *name, con
             asked_unit(unit, sizeof unit, field->unit);
         if (!begun)
             scale = field ? 1 / record_unit(field) : shown_in(unit, all, number->quantity, side.value);
-        view_count(line, "report", k + 1);
+        json_set_count(line, "report", k + 1);
         put_side(line, &side, scale);
         if (!begun)
             continue;
@@ -395,7 +395,7 @@ static void add_input(json_t *view, struct compared *all, json_t *const *of, con
         struct text cut = {0};
         words_cut(&cut, dumped[k] ? dumped[k] : "", dumped[k] ? strlen(dumped[k]) : 0,
                   TEXT_MOST); /* of nothing: none */
-        view_count(value, "report", k + 1);
+        json_set_count(value, "report", k + 1);
         view_text(value, "value", text_string(&cut));
         text_free(&cut);
     }
@@ -419,15 +419,15 @@ static void add_surface(json_t *view, struct compared *all, const char *name)
     all->items++;
     for (size_t k = 0; k < all->count; k++)
         if (!(of[k] = json_object_get(all->surfaces[k], name))) {
-            view_count(view_item(view_list(item, "not_in")), "report", k + 1);
+            json_set_count(view_item(view_list(item, "not_in")), "report", k + 1);
             all->differ = alone = true;
             all->items++;
         }
     for (size_t i = 0; i < sizeof keys / sizeof *keys && !alone; i++)
         add_input(view, all, of, name, keys[i]);
-    for (int q = 0; q < QUANTITY_COUNT; q++)
+    for (enum quantity q = 0; q < QUANTITY_COUNT; q++)
         if (quantity_rows[q].handy.scale > 0)
-            add_number(item, all, name, &(struct number){.quantity = (enum quantity)q});
+            add_number(item, all, name, &(struct number){.quantity = q});
     for (const struct record_field *field = surface_fields; field->key; field++)
         if (field->digits > 0)
             add_number(item, all, name, &(struct number){.field = field});
@@ -450,7 +450,7 @@ static void give_back_loads(json_t *scene, double modulus_Pa)
     json_object_del(scene, "loads_over_AnEp");
 }
 
-/** How many values a results.json has, as LIMIT_RESULTS_VALUES counts them: of each, jansson makes 48 bytes or less. */
+/** How many values a results.json has, as LIMIT_RESULTS_VALUES counts them: jansson takes at most 48 bytes for one. */
 static size_t count_values(const struct text *json)
 {
     size_t count = json->length / 48;
@@ -466,14 +466,11 @@ static size_t count_values(const struct text *json)
 
 static void add_model(json_t *models, const char *label)
 {
-    json_t *known;
-    size_t i;
-    json_array_foreach(models, i, known)
-    {
-        if (strcmp(string(known, "label"), label) == 0)
-            return;
-    }
-    view_text(view_item(models), "label", label);
+    json_t *own = json_object();
+    view_text(own, "label", label);
+    if (!view_alike(models, NULL, own))
+        json_array_append(models, own);
+    json_decref(own);
 }
 
 static enum status_code add_report(json_t *view, struct compared *all, const char *path, struct status *status)
@@ -514,7 +511,7 @@ static enum status_code add_report(json_t *view, struct compared *all, const cha
         give_back_loads(json_object_get(results, "scene"), modulus_Pa);
     all->results[all->count] = results;
     all->surfaces[all->count++] = surfaces;
-    view_count(item, "report", ++all->reports);
+    json_set_count(item, "report", ++all->reports);
     view_text(item, "path", path);
     view_text(item, "leading", string(results, "leading"));
     view_text(item, "label", label_of(string(results, "leading")));

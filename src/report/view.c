@@ -52,24 +52,16 @@ void view_interval(json_t *out, const char *name, double low, double high, int d
     set_text(out, name, &text);
 }
 
-/** An object of two numbers, for templates to word. */
-static void set_two(json_t *out, const char *name, const char *const keys[2], double first, double second)
-{
-    json_t *part = view_part(out, name);
-    json_set(part, keys[0], first);
-    json_set(part, keys[1], second);
-}
-
 void view_range(json_t *out, const char *name, double least, double most)
 {
     if (isfinite(least) && isfinite(most))
-        set_two(out, name, (const char *const[]){"least", "most"}, least, most);
+        json_object_set_new(out, name, json_pack("{s:f, s:f}", "least", least, "most", most));
 }
 
 void view_uncertain(json_t *out, const char *name, double value, double error)
 {
     if (isfinite(value))
-        set_two(out, name, (const char *const[]){"value", "error"}, value, error);
+        json_object_set_new(out, name, json_pack("{s:f, s:o}", "value", value, "error", json_finite(error)));
 }
 
 void view_columns(json_t *heads, struct words *words, const struct record_field *fields, unsigned when)
@@ -88,15 +80,10 @@ void view_cells(json_t *cells, const struct record_field *fields, unsigned when,
                         fields->digits, "");
 }
 
-void view_count(json_t *out, const char *name, size_t count)
-{
-    json_object_set_new(out, name, json_integer((json_int_t)count));
-}
-
 void view_some(json_t *out, const char *name, size_t count)
 {
     if (count > 0)
-        view_count(out, name, count);
+        json_set_count(out, name, count);
 }
 
 void view_counted(json_t *out, const char *name, size_t count, const char *only)
@@ -104,7 +91,7 @@ void view_counted(json_t *out, const char *name, size_t count, const char *only)
     if (count == 0)
         return;
     json_t *part = view_part(out, name);
-    view_count(part, "count", count);
+    json_set_count(part, "count", count);
     view_flag(part, "one", count == 1);
     if (count == 1 && only)
         view_text(part, "surface", only);
@@ -151,6 +138,18 @@ void view_separate(json_t *array)
     }
 }
 
+json_t *view_alike(const json_t *list, const char *part, const json_t *other)
+{
+    size_t i;
+    json_t *item;
+    json_array_foreach(list, i, item)
+    {
+        if (json_equal(part ? json_object_get(item, part) : item, other))
+            return item;
+    }
+    return NULL;
+}
+
 void view_load(json_t *out, const char *name, const struct view_source *source, size_t surface, double load)
 {
     const struct asked_load as = asked_load_of(source->results, surface);
@@ -183,7 +182,7 @@ static void add_map(json_t *figure, const struct view_source *source, size_t sur
     view_number(figure, "contact_percent", 100 * contact->area_ratio, 2, "");
     if (contact->flowed > 0)
         view_number(figure, "flowed_percent", 100 * contact->flowed, 2, "");
-    view_count(figure, "spots", contact->spot_count);
+    json_set_count(figure, "spots", contact->spot_count);
     view_flag(figure, "one_spot", contact->spot_count == 1);
 }
 
@@ -203,7 +202,7 @@ static void add_figures(json_t *out, const struct view_source *source, const str
         view_flag(figure, "several_numbers", strchr(figures->figure[i].numbers, ' '));
         for (int n = 0; n < FIGURE_NOTES; n++)
             view_flag(figure, figure_notes[n], figures->figure[i].notes >> n & 1);
-        view_count(figure, "least_points", FIGURE_FEW_POINTS);
+        json_set_count(figure, "least_points", FIGURE_FEW_POINTS);
     }
 }
 

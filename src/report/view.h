@@ -54,12 +54,11 @@ void view_interval(json_t *out, const char *name, double low, double high, int d
  * value is not finite. */
 void view_range(json_t *out, const char *name, double least, double most);
 void view_uncertain(json_t *out, const char *name, double value, double error);
-/** The heads of the columns that a record's fields have in a table, those in data/ under the conditions `when`, and
+/** The heads of the columns that a record has in a table, of fields that are in data/ under the conditions `when`; and
  * the cells below. */
 void view_columns(json_t *heads, struct words *words, const struct record_field *fields, unsigned when);
 void view_cells(json_t *cells, const struct record_field *fields, unsigned when, const void *of);
-void view_count(json_t *out, const char *name, size_t count);
-/** The same; nothing of 0. */
+/** Sets a count; nothing of 0. */
 void view_some(json_t *out, const char *name, size_t count);
 /** A new object with `count` and whether it is `one`, which `only` (NULL: it has no name) is the `surface` of; nothing
  * of 0. */
@@ -72,6 +71,8 @@ json_t *view_item(json_t *array);
 json_t *view_list(json_t *out, const char *name);
 /** Marks all items but the last with `more`, the first with `first`, the last with `last`. */
 void view_separate(json_t *array);
+/** The item of a list that is, or whose `part` is, the same as another; NULL: none. */
+json_t *view_alike(const json_t *list, const char *part, const json_t *other);
 /** `gamma` with its standard error and `alpha` of a law; nothing where there is none. */
 void view_law(json_t *out, const struct power_law *law);
 /** A load of a surface as the user has it: "0.40 N". */
@@ -80,7 +81,7 @@ void view_load(json_t *out, const char *name, const struct view_source *source, 
 const char *view_name(const struct view_source *source, size_t surface);
 const struct surface_summary *view_summary(const struct view_source *source, size_t surface);
 
-/** Names each surface that misses a limit, else each of which it is undecided or not known, a line each; returns how
+/** Adds a line for each surface that misses a limit, else for each of which it is undecided or not known; returns how
  * many. */
 size_t view_limits_of(struct text *out, const struct results *results, bool missed);
 

@@ -45,11 +45,12 @@ static void put_models(json_t *out, const struct view_source *source)
 /** By how much an effect that ran changes what is asked. */
 static void put_change(json_t *item, const struct view_source *source, enum effect effect)
 {
-    const double factor = accuracy_effect_factor(source->results, effect, source->asked.quantity);
+    const double of = accuracy_effect_factor(source->results, effect, source->asked.quantity),
+                 factor = source->asked.reciprocal ? 1 / of : of;
     const bool alike = fabs(factor - 1) < 5e-3;
     view_flag(item, "adds", effect_rows[effect].adds);
     view_flag(item, "studies", effect_rows[effect].studies);
-    json_set(item, alike ? "change" : "factor", alike ? factor - 1 : source->asked.reciprocal ? 1 / factor : factor);
+    json_set(item, alike ? "change" : "factor", alike ? factor - 1 : factor);
 }
 
 static void put_effects(json_t *out, const struct view_source *source)

@@ -58,8 +58,8 @@ static void put_ends(json_t *row, const struct law *law, double value, const dou
     put_si(row, law->high, ends[1]);
 }
 
-/** The first row, that no program carries the next one's numbers on to no pressure: what fills the gaps conducts alone,
- * as it does at the lightest load. */
+/** The first row, at zero pressure, so that no program extrapolates the next one's numbers: only what fills the gaps
+ * conducts, as at the lightest load. */
 static void put_apart(json_t *row, const struct law *law, const struct contact_point *point,
                       const struct ensemble_band *band)
 {
@@ -114,7 +114,7 @@ static void put_rows(json_t *rows, struct law laws[LAWS], const struct surface_r
     json_t *row;
     json_array_foreach(rows, j, row)
     {
-        view_count(row, "number", j + 1);
+        json_set_count(row, "number", j + 1);
         view_flag(row, "few", is_few(j, count));
     }
 }
@@ -158,8 +158,8 @@ static void put_surface(json_t *item, const struct view_source *source, size_t s
         put_si(item, end == 0 ? "valid_from" : "valid_to",
                material_pair_pressure(&record->summary.pair, point->value[QUANTITY_LOAD]) / in->pressure_Pa);
     }
-    view_count(item, "count", json_array_size(rows));
-    view_count(item, "surface_number", surface + 1);
+    json_set_count(item, "count", json_array_size(rows));
+    json_set_count(item, "surface_number", surface + 1);
     put_file(item, view_name(source, surface), surface + 1);
     view_text(item, "surface", view_name(source, surface));
     view_text(item, "model", model->label);

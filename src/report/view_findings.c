@@ -6,7 +6,7 @@
 #include <math.h>
 #include <stddef.h>
 
-/** Cases that bear a finding out, that speak against it, and that are alike and speak for neither. */
+/** Cases for a finding, against it, and ties. */
 struct tally {
     size_t good, bad, ties;
 };
@@ -95,7 +95,7 @@ static void add_case(struct tally *out, double x, double y, double slack, bool f
         add(out, (x < y) != falls);
 }
 
-/** What is off by no more than the run's tolerance is alike. */
+/** Numbers this close are equal within the run's tolerance. */
 static double slack_of(const struct finding *f, double x, double y)
 {
     return f->source->results->scene->tolerance * fmax(fabs(x), fabs(y));
@@ -429,8 +429,8 @@ void view_findings(json_t *out, const struct view_source *source)
         view_text(item, "part", row->part);
         view_text(item, "name", row->name);
         view_text(item, "finding", words_say(source->words, "finding.%s", row->name));
-        view_count(item, "good", good);
-        view_count(item, "all", all);
+        json_set_count(item, "good", good);
+        json_set_count(item, "all", all);
         view_some(item, "ties", finding.all.ties);
         view_flag(item, "holds", all > 0 && good == all);
         view_flag(item, "in_part", good < all && 2 * good >= all);

@@ -42,11 +42,10 @@ static void put_model(json_t *out, const struct view_source *source, size_t m)
     view_text(row, "label", model_rows[m]->label);
     view_text(row, "anchor", text_string(&anchor));
     text_free(&anchor);
-    for (int q = 0; q < QUANTITY_COUNT; q++)
-        if (in_table(source, (enum quantity)q))
+    for (enum quantity q = 0; q < QUANTITY_COUNT; q++)
+        if (in_table(source, q))
             view_number(view_item(view_list(row, "cells")), "text",
-                        comparison_value(&at, (enum quantity)q, m, sigma_m) * quantity_unit((enum quantity)q).scale, 3,
-                        "");
+                        comparison_value(&at, q, m, sigma_m) * quantity_unit(q).scale, 3, "");
     json_set(row, "full_load", curve->exists ? curve->full_load * scale : NAN);
     bool invalid = !curve_summary_is_valid(curve, at.value[QUANTITY_LOAD]);
     bool above = !pair->unknown &&
@@ -68,9 +67,9 @@ static void put_one_surface(json_t *out, const struct view_source *source)
     json_t *item = json_object();
     view_text(item, "surface", view_name(source, results->baseline));
     view_load(item, "load", source, results->baseline, results_operating_load(results, results->baseline));
-    for (int q = 0; q < QUANTITY_COUNT; q++)
-        if (in_table(source, (enum quantity)q))
-            put_head(item, source, "table", (enum quantity)q);
+    for (enum quantity q = 0; q < QUANTITY_COUNT; q++)
+        if (in_table(source, q))
+            put_head(item, source, "table", q);
     for (size_t m = 0; m < model_count; m++)
         if (plan_runs_model(results->plan, m) && surface_model(&source->baseline->summary, m)->exists)
             put_model(item, source, m);
@@ -105,12 +104,7 @@ static bool adjusts(const struct view_source *source, size_t m)
 static void put_all_surfaces(json_t *out, const struct view_source *source)
 {
     const struct results *results = source->results;
-    bool betas = false;
-    for (size_t m = 0; m < model_count; m++)
-        betas = betas || adjusts(source, m);
-    if (results->usable_count < 2 && !betas)
-        return;
-    json_t *item = view_part(out, "all_surfaces"), *heads = view_list(item, "heads"), *rows = view_list(item, "rows");
+    json_t *item = json_object(), *heads = view_list(item, "heads"), *rows = view_list(item, "rows");
     for (size_t m = 0; m < model_count; m++)
         if (adjusts(source, m)) {
             json_t *head = view_item(heads);
@@ -118,6 +112,7 @@ static void put_all_surfaces(json_t *out, const struct view_source *source)
             if (model_rows[m]->counterpart)
                 view_text(head, "beside", model_rows[m]->counterpart->label);
         }
+    const bool betas = json_array_size(heads) > 0;
     for (size_t i = 0; i < results->surface_count && betas; i++) {
         if (!results->surfaces[i].summary.usable || json_array_size(rows) >= VIEW_ROWS)
             continue;
@@ -133,8 +128,11 @@ static void put_all_surfaces(json_t *out, const struct view_source *source)
             }
     }
     view_flag(item, "has_betas", betas);
-    view_count(item, "shown", results->shown_count);
+    json_set_count(item, "shown", results->shown_count);
     view_flag(item, "some_shown", results->shown_count < results->usable_count);
+    if (results->usable_count > 1 || betas)
+        json_object_set(out, "all_surfaces", item);
+    json_decref(item);
 }
 
 /** Does the area of the sweeps settle, and that of the surfaces? */
@@ -172,7 +170,7 @@ static void put_convergence(json_t *out, const struct view_source *source)
         json_set(item, "fall", fall);
     json_set(item, "atom_m", convergence_atom_m);
     view_flag(item, "none_diverges", telling > 0 && diverging == 0);
-    view_count(item, "surfaces", results->usable_count);
+    json_set_count(item, "surfaces", results->usable_count);
     view_some(item, "diverging", diverging);
     view_some(item, "untold", results->usable_count - telling);
 }
@@ -227,7 +225,7 @@ static void put_measured_models(json_t *item, const struct view_source *source, 
             continue;
         json_t *row = view_item(rows);
         view_text(row, "label", model_rows[m]->label);
-        view_count(row, "points", distance.points);
+        json_set_count(row, "points", distance.points);
         json_set(row, "factor", pow(10, distance.rms_decades));
         json_set(row, "ratio", pow(10, distance.bias_decades));
     }
@@ -236,7 +234,7 @@ static void put_measured_models(json_t *item, const struct view_source *source, 
         view_text(item, "nearest", model_rows[nearest]->label);
     view_counted(item, "points", measured->count, NULL);
     if (measured->run_count > 1)
-        view_count(item, "runs", measured->run_count);
+        json_set_count(item, "runs", measured->run_count);
     view_text(item, "surface", view_name(source, surface));
     view_separate(rows);
 }
@@ -247,7 +245,7 @@ static void put_study(json_t *item, const struct view_source *source, const stru
     json_t *rows = view_list(item, "rows");
     view_text(item, "surface", view_name(source, study->surface));
     view_flag(item, "map", study->plan.side > 0);
-    view_count(item, "grid", study->plan.grid);
+    json_set_count(item, "grid", study->plan.grid);
     view_counted(item, "seeds", study->curves[DIRECT_STUDY_ELASTIC].seeds, NULL);
     view_flag(item, "gaussian", study->plan.gaussian);
     view_flag(item, "at_this_resolution", study->plan.side > 0 || study->plan.of_spacing);
@@ -257,9 +255,9 @@ static void put_study(json_t *item, const struct view_source *source, const stru
             continue;
         json_t *row = view_item(rows);
         view_text(row, "label", model_rows[m]->label);
-        for (int q = 0; q < QUANTITY_COUNT; q++) {
-            const struct direct_study_distance distance = direct_study_distance(study, pair, m, (enum quantity)q);
-            if (!quantity_rows[q].solved.ratio || !wants(source, (enum quantity)q))
+        for (enum quantity q = 0; q < QUANTITY_COUNT; q++) {
+            const struct direct_study_distance distance = direct_study_distance(study, pair, m, q);
+            if (!quantity_rows[q].solved.ratio || !wants(source, q))
                 continue;
             json_t *cell = view_item(view_list(row, "cells"));
             if (distance.loads > 0)
@@ -270,7 +268,7 @@ static void put_study(json_t *item, const struct view_source *source, const stru
     for (size_t i = 0; i < study->plan.loads; i++)
         resolved = resolved || isfinite(direct_study_value(study, pair, DIRECT_STUDY_ELASTIC, QUANTITY_AREA, i, NULL));
     view_flag(item, "unresolved", !resolved);
-    view_count(item, "least_points", DIRECT_ENSEMBLE_POINTS);
+    json_set_count(item, "least_points", DIRECT_ENSEMBLE_POINTS);
     size_t nearest = direct_study_nearest(
         study, pair, results_criterion(source->results) == QUANTITY_ECR ? QUANTITY_ECR : QUANTITY_AREA);
     if (nearest < model_count)
@@ -289,9 +287,9 @@ void view_direct(json_t *out, const struct view_source *source)
     json_t *item = view_part(out, "direct");
     view_text(item, "reason", results->plan->effects[EFFECT_DIRECT].reason);
     view_flag(item, "solved", results->direct_count > 0);
-    for (int q = 0; q < QUANTITY_COUNT; q++)
-        if (quantity_rows[q].solved.ratio && wants(source, (enum quantity)q))
-            put_head(item, source, "table.direct", (enum quantity)q);
+    for (enum quantity q = 0; q < QUANTITY_COUNT; q++)
+        if (quantity_rows[q].solved.ratio && wants(source, q))
+            put_head(item, source, "table.direct", q);
     for (size_t k = 0; k < results->direct_count && k < VIEW_ROWS; k++)
         put_study(view_item(view_list(item, "studies")), source, &results->direct[k]);
     for (size_t i = 0; i < results->surface_count; i++) {

@@ -6,64 +6,49 @@
 #include "results/known.h"
 #include <math.h>
 
-enum { DIGITS = 2, CLAIMS_MOST = 8 };
+enum { CLAIMS_MOST = 8 };
 
 /** A load or an answer as a cell has it: "0.92 (0.28–3.2)", "0.97 (measured)", "≤ 0.1", "–". */
-static void put_known(json_t *out, const char *name, const struct known *known, double shown, const double ends[2])
+static void put_known(json_t *row, const char *name, const struct view_source *source, const struct scene_asked *target,
+                      size_t surface)
 {
-    static const char *const signs[] = {[KNOWN_AT_MOST] = "≤\u00a0", [KNOWN_MORE_THAN] = ">\u00a0"};
-    const bool modelled = known->kind == KNOWN_VALUE && !known->measured,
-               one = modelled && (isfinite(ends[0]) || isfinite(ends[1])),
-               has = modelled && isfinite(ends[0]) && isfinite(ends[1]);
+    static const char *const signs[] = {[KNOWN_VALUE] = "", [KNOWN_AT_MOST] = "≤\u00a0", [KNOWN_MORE_THAN] = ">\u00a0"};
+    const struct known known = known_shown(source->results, &source->asked, target, surface);
+    const bool modelled = known.kind == KNOWN_VALUE && !known.measured, low = isfinite(known.low),
+               high = isfinite(known.high);
     struct text text = {0}, interval = {0};
-    if (known->kind == KNOWN_NOTHING)
-        text_add(&text, "–");
-    else {
-        text_add(&text, "%s", known->kind == KNOWN_VALUE ? "" : signs[known->kind]);
-        number_format(&text, shown, has && ends[1] > 1.44 * ends[0] ? DIGITS : DIGITS + 1);
-    }
-    for (int end = 0; end < 2 && one; end++) {
-        text_add(&interval, has ? end > 0 ? "–" : "" : !isfinite(ends[end]) ? "" : end > 0 ? "≤\u00a0" : "≥\u00a0");
-        if (isfinite(ends[end]))
-            number_format(&interval, ends[end], DIGITS);
-    }
-    json_t *cell = view_part(out, name);
+    text_add(&interval, "%s", low && high ? "" : low ? "≥\u00a0" : "≤\u00a0");
+    text_add(&text, "%s", known.kind == KNOWN_NOTHING ? "–" : signs[known.kind]);
+    if (known.kind != KNOWN_NOTHING)
+        number_format(&text, known.value, modelled ? known_digits(&known) : 3);
+    if (low)
+        number_format(&interval, known.low, 2);
+    if (low && high)
+        text_add(&interval, "–");
+    if (high)
+        number_format(&interval, known.high, 2);
+    json_t *cell = view_part(row, name);
     view_text(cell, "value", text_string(&text));
-    if (one)
+    if (modelled && (low || high))
         view_text(cell, "interval", text_string(&interval));
-    view_flag(cell, "measured", known->measured && known->kind != KNOWN_NOTHING);
+    view_flag(cell, "measured", known.measured && known.kind != KNOWN_NOTHING);
     text_free(&text);
     text_free(&interval);
-}
-
-static void put_load(json_t *row, const struct view_source *source, size_t surface)
-{
-    const struct known known = known_load(source->results, source->asked.target, surface);
-    const double scale = asked_load_of(source->results, surface).scale;
-    put_known(row, "load", &known, known.value * scale, (const double[]){known.low * scale, known.high * scale});
-}
-
-static void put_value(json_t *row, const struct view_source *source, size_t surface)
-{
-    const struct known known = known_asked(source->results, &source->asked, surface);
-    double ends[2];
-    asked_ends(ends, &source->asked, (const double[]){known.low, known.high});
-    put_known(row, "value", &known, asked_shown(&source->asked, known.value), ends);
 }
 
 static void put_row(json_t *row, const struct view_source *source, size_t surface, bool lettered)
 {
     static const char *const verdicts[] = {
         [LIMIT_NO_VALUE] = "no_value", [LIMIT_MET] = "met", [LIMIT_MISSED] = "missed", [LIMIT_UNDECIDED] = "undecided"};
-    const struct comparison_ranking *ranking = &source->comparison->ranking;
+    const struct comparison *ranking = source->comparison;
     const struct surface_summary *summary = view_summary(source, surface);
     view_text(row, "surface", view_name(source, surface));
     view_flag(row, "map", summary->has_map);
     json_set(row, "rq_m", summary->has_map ? summary->measured.sq_m : summary->roughness.rq_m);
     view_law(row, &summary->power_law);
-    put_value(row, source, surface);
+    put_known(row, "value", source, NULL, surface);
     if (source->asked.target)
-        put_load(row, source, surface);
+        put_known(row, "load", source, source->asked.target, surface);
     for (size_t l = 0; l < source->results->scene->limit_count && l < ASKED_LIMIT_COLUMNS; l++)
         view_flag(view_item(view_list(row, "limits")), verdicts[summary->limits[l].verdict], true);
     for (size_t p = 0; lettered && p < ranking->count; p++)
@@ -78,7 +63,7 @@ static void put_table(json_t *out, const struct view_source *source)
 {
     const struct results *results = source->results;
     const struct scene *scene = results->scene;
-    const bool lettered = results->usable_count > 1 && source->comparison->ranking.count > 1;
+    const bool lettered = results->usable_count > 1 && source->comparison->count > 1;
     json_t *rows = view_list(out, "rows");
     for (size_t i = 0; i < results->surface_count; i++)
         if (results->surfaces[i].summary.usable && json_array_size(rows) < VIEW_ROWS)
@@ -94,12 +79,12 @@ static void put_table(json_t *out, const struct view_source *source)
     view_flag(out, "has_letters", lettered);
     if (lettered)
         view_flag(out,
-                  results->usable_count > 2                                      ? "many_letters"
-                  : comparison_told_apart(&source->comparison->ranking.pairs[0]) ? "two_differ"
-                                                                                 : "two_alike",
+                  results->usable_count > 2                              ? "many_letters"
+                  : comparison_told_apart(&source->comparison->pairs[0]) ? "two_differ"
+                                                                         : "two_alike",
                   true);
     if (results->usable_count > VIEW_ROWS)
-        view_count(out, "rows_left_out", results->usable_count - VIEW_ROWS);
+        json_set_count(out, "rows_left_out", results->usable_count - VIEW_ROWS);
 }
 
 void view_first_page(json_t *out, const struct view_source *source)
@@ -132,13 +117,6 @@ void view_first_page(json_t *out, const struct view_source *source)
     put_table(out, source);
 }
 
-/** A value of a limit in its unit. */
-static void add_limit_value(struct text *out, const struct scene_asked *limit, const char *before, double value)
-{
-    text_add(out, "%s", before);
-    number_format(out, scene_asked_shown(limit, value), 3);
-}
-
 size_t view_limits_of(struct text *out, const struct results *results, bool missed)
 {
     size_t count = 0;
@@ -149,18 +127,19 @@ size_t view_limits_of(struct text *out, const struct results *results, bool miss
             bool swapped = limit->is_upper != limit->is_most; /* a reciprocal's ends */
             if (check->verdict == LIMIT_MET || (check->verdict == LIMIT_MISSED) != missed)
                 continue;
+            const double ends[] = {scene_asked_shown(limit, swapped ? check->high : check->low),
+                                   scene_asked_shown(limit, swapped ? check->low : check->high)};
             text_add(out, "surface '");
             text_add_shown(out, results->surfaces[i].summary.scene->name);
             text_add(out, "' %s the limit %s %s ", missed ? "misses" : "leaves undecided", limit->symbol,
                      limit->is_most ? "≤" : "≥");
             text_add_shown(out, limit->text);
+            text_add(out, isfinite(check->value) ? ": " : missed ? ": from a lighter load on" : ": no value");
             if (isfinite(check->value))
-                add_limit_value(out, limit, ": ", check->value);
-            else
-                text_add(out, missed ? ": from a lighter load on" : ": no value");
+                number_format(out, scene_asked_shown(limit, check->value), 3);
             if (!missed && isfinite(check->low) && isfinite(check->high)) {
-                add_limit_value(out, limit, " (95 % ", swapped ? check->high : check->low);
-                add_limit_value(out, limit, " to ", swapped ? check->low : check->high);
+                text_add(out, " (95 %% ");
+                number_format_range(out, ends[0], ends[1], 3);
                 text_add(out, ")");
             }
             if (isfinite(check->value)) {

@@ -42,7 +42,7 @@ static void put_surface(json_t *row, const struct view_source *source, size_t su
     view_text(row, "surface", view_name(source, surface));
     view_cells(view_list(row, "cells"), surface_fields, tables_surface_when(source->results), s);
     view_flag(row, "map", s->has_map);
-    view_count(row, "scans", s->scans);
+    json_set_count(row, "scans", s->scans);
     view_flag(row, "rows_of_a_map", repeats->count > 0 && repeats->scans == 1);
     view_some(row, "pieces", repeats->cut);
     put_constants(row, source, surface);
@@ -58,26 +58,13 @@ static void put_surface(json_t *row, const struct view_source *source, size_t su
     json_set(found, "amplitude_factor", pow(10, power_law_error_decades(law, wavelength_m)));
 }
 
-/** The item of a list that is, or whose `part` is, the same as another; NULL: none. */
-static json_t *alike(const json_t *list, const char *part, const json_t *other)
-{
-    size_t i;
-    json_t *item;
-    json_array_foreach(list, i, item)
-    {
-        if (json_equal(part ? json_object_get(item, part) : item, other))
-            return item;
-    }
-    return NULL;
-}
-
-/** Takes what is to be said of a surface into a list of VIEW_ROWS at most, where what is the same of several stands
- * once, as the `body` of an item: with the first one's name, the others counted. */
+/** Adds what is to be said of a surface to a list of VIEW_ROWS at most. What is the same of several surfaces is one
+ * item, its `body`, with the first one's name and the number of others. */
 static void put_once(json_t *list, json_t *own, const char *surface)
 {
-    json_t *item = alike(list, "body", own);
+    json_t *item = view_alike(list, "body", own);
     if (item) {
-        view_count(item, "more_surfaces", (size_t)json_integer_value(json_object_get(item, "more_surfaces")) + 1);
+        json_set_count(item, "more_surfaces", (size_t)json_integer_value(json_object_get(item, "more_surfaces")) + 1);
     } else if (json_array_size(list) < VIEW_ROWS) {
         item = view_item(list);
         json_object_set(item, "body", own);
@@ -94,7 +81,7 @@ static void put_material(json_t *out, const struct material *material, const str
         json_set(row, "effective_modulus_Pa", pair->effective_modulus_Pa);
         json_set(row, "hardness_Pa", pair->hardness_Pa);
     }
-    if (!alike(list, NULL, row) && json_array_size(list) < VIEW_ROWS)
+    if (!view_alike(list, NULL, row) && json_array_size(list) < VIEW_ROWS)
         json_array_append(list, row);
     json_decref(row);
 }
@@ -160,15 +147,15 @@ void view_surfaces(json_t *out, const struct view_source *source)
     if (scene->fit_band_m[0] > 0 || isfinite(scene->fit_band_m[1]))
         view_range(item, "fit_band_m", scene->fit_band_m[0], scene->fit_band_m[1]);
     if (results->usable_count > VIEW_ROWS)
-        view_count(item, "rows_left_out", results->usable_count - VIEW_ROWS);
+        json_set_count(item, "rows_left_out", results->usable_count - VIEW_ROWS);
     view_text(item, "level", level_names[scene->level]);
     view_flag(item, "level_given", scene->level_given);
-    view_count(item, "scans", scans);
+    json_set_count(item, "scans", scans);
     view_flag(item, "one_scan", scans == 1);
     view_flag(item, of_maps == scans ? "all_rows" : "some_rows", of_maps > 0);
     view_flag(item, "all_periodic", periodic == scans);
     view_flag(item, "some_periodic", periodic > 0 && periodic < scans);
-    view_count(item, "periodic", periodic);
+    json_set_count(item, "periodic", periodic);
     view_flag(item, "all_windowed", windowed == scans);
     view_flag(item, "some_windowed", windowed > 0 && windowed < scans);
     json_set(item, "wavelength_m", results_law_wavelength_m(results));
@@ -201,7 +188,7 @@ static void put_files(json_t *row, const struct surface_summary *s)
         view_text(view_item(files), "file", s->scene->files.path[f]);
     view_separate(files);
     if (s->scene->files.count > 5)
-        view_count(row, "more_files", s->scene->files.count - 5);
+        json_set_count(row, "more_files", s->scene->files.count - 5);
 }
 
 void view_inputs(json_t *out, const struct view_source *source)

@@ -76,8 +76,8 @@ double accuracy_effect_factor(const struct results *results, enum effect effect,
     const struct model_task task = surface_model_task(record, &asked);
     struct joint_task joint = surface_joint(record, results->scene, results->plan, &task);
     joint.effects &= ~EFFECT_BIT(effect);
-    for (int q = 0; q < QUANTITY_COUNT; q++)
-        without.value[q] = quantity_of_joint((enum quantity)q) ? NAN : with.value[q];
+    for (enum quantity q = 0; q < QUANTITY_COUNT; q++)
+        without.value[q] = quantity_of_joint(q) ? NAN : with.value[q];
     joint_apply(&without, NULL, 1, &joint, row);
     double before = without.value[quantity];
     if (isnan(before) && quantity_rows[quantity].from > 0) { /* without it there is none such, but what it is of */

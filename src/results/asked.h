@@ -30,8 +30,8 @@ void asked_ends(double out[2], const struct asked *asked, const double of[2]);
 void asked_interval(double out[2], const struct asked *asked, const struct results *results, size_t model,
                     size_t surface);
 
-/** What loads stand in for the user: the scene's unit (of `load`, else of `operating_load`), else N with a nominal
- * area, else MPa, else P/(A_n E'). */
+/** The unit of loads: the scene's (of `load`, else of `operating_load`), else N with a nominal area, else MPa, else
+ * P/(A_n E'). */
 struct asked_load {
     char unit[64]; /* "": P/(A_n E') */
     double scale;  /* P/(A_n E') times it is the number shown */
@@ -47,8 +47,7 @@ struct asked_solved {
     double value, error; /* relative standard error */
     double ratio;        /* of the leading model, on the surface solved, to it */
 };
-/** At a load of the baseline, straight in the logarithms between those solved, else at the solved load that is nearest;
- * NaN: none. */
+/** At a load of the baseline, straight in the logarithms between solved loads, else at the nearest; NaN: none. */
 struct asked_solved asked_direct(const struct results *results, enum quantity quantity, double load);
 /** A unit as people print it: "mohm" as "mΩ", "W/m2/K" as "W/(m²·K)". */
 void asked_unit(char *out, size_t size, const char *unit);

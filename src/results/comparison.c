@@ -42,7 +42,8 @@ struct comparison_pair comparison_of_two(const struct estimate *a, const struct 
 }
 
 /** The scatter that surfaces of one scan have on average, where there are some: three or more. One scan's own comes
- * from few degrees of freedom, and among many surfaces some is far too small by chance. */
+ * from few degrees of freedom, and among many surfaces some is far too small by chance: none is held to scatter less.
+ */
 static double usual_scatter(const struct estimate *const *estimates, size_t count)
 {
     double sum = 0, of = 0;
@@ -54,16 +55,7 @@ static double usual_scatter(const struct estimate *const *estimates, size_t coun
     return of >= 3 ? sqrt(sum / of) : 0;
 }
 
-/** No surface of one scan is held to scatter less than that. */
-static struct estimate of_usual_scatter(const struct estimate *estimate, double least)
-{
-    struct estimate out = *estimate;
-    if (out.count == 1 && out.s > 0)
-        out.s = fmax(out.s, least);
-    return out;
-}
-
-enum status_code comparison_test(struct comparison_ranking *ranking, const struct estimate *const *estimates,
+enum status_code comparison_test(struct comparison *ranking, const struct estimate *const *estimates,
                                  struct status *status)
 {
     size_t count = ranking->count, pairs = count * (count - (count > 0)) / 2;
@@ -75,9 +67,10 @@ enum status_code comparison_test(struct comparison_ranking *ranking, const struc
     for (size_t i = 0; i < count && rc == STATUS_OK; i++)
         for (size_t j = i + 1; j < count; j++) {
             size_t k = ranking_pair(i, j, count);
-            const struct estimate one = of_usual_scatter(estimates[i], least),
-                                  other = of_usual_scatter(estimates[j], least);
-            ranking->pairs[k] = comparison_of_two(&one, &other);
+            struct estimate two[] = {*estimates[i], *estimates[j]};
+            for (int t = 0; t < 2; t++)
+                two[t].s = two[t].count == 1 && two[t].s > 0 ? fmax(two[t].s, least) : two[t].s;
+            ranking->pairs[k] = comparison_of_two(&two[0], &two[1]);
             p[k] = ranking->pairs[k].p;
         }
     if (rc == STATUS_OK)
@@ -100,68 +93,42 @@ bool comparison_told_apart(const struct comparison_pair *pair)
     return pair->verdict != RANKING_NOT_TOLD_APART;
 }
 
-const struct comparison_pair *comparison_pair_of(const struct comparison_ranking *ranking, size_t i, size_t j)
+const struct comparison_pair *comparison_pair_of(const struct comparison *ranking, size_t i, size_t j)
 {
     return &ranking->pairs[ranking_pair(i, j, ranking->count)];
 }
 
-/** What a surface is ranked by, less being better; NaN: it has no answer. */
-static double cost_of(const struct comparison *of, const struct results *results, size_t surface)
-{
-    double value = comparison_middle(results, of->leading, surface).value[of->ranking.criterion];
-    return (quantity_rows[of->ranking.criterion].is & QUANTITY_RISES) ? -value : value;
-}
-
-static const struct estimate *estimate_of(const struct comparison *of, const struct results *results, size_t surface)
-{
-    return curve_summary_estimate(surface_model(&results->surfaces[surface].summary, of->leading),
-                                  of->ranking.criterion);
-}
-
-/** Ranks the surfaces that have an answer in the leading model at the middle load. */
-static enum status_code rank(struct comparison *out, const struct results *results, struct status *status)
-{
-    struct comparison_ranking *ranking = &out->ranking;
-    ranking->criterion = results_criterion(results);
-    size_t surfaces = 0;
-    for (size_t k = 0; k < results->usable_count; k++)
-        surfaces += isfinite(cost_of(out, results, results->by_roughness[k])) ? 1 : 0;
-    if (surfaces == 0 || surfaces > COMPARISON_RANKED_MOST)
-        return STATUS_OK;
-    const struct estimate *estimates[COMPARISON_RANKED_MOST];
-    ranking->surface = malloc(surfaces * sizeof *ranking->surface);
-    if (!ranking->surface)
-        return status_memory(status);
-    for (size_t i = 0; i < results->surface_count; i++) {
-        double cost = cost_of(out, results, i);
-        const struct estimate *estimate = estimate_of(out, results, i);
-        if (isnan(cost) || estimate->count == 0 || isnan(estimate->half_width))
-            continue;
-        size_t at = ranking->count++;
-        for (; at > 0 && cost < cost_of(out, results, ranking->surface[at - 1]); at--)
-            ranking->surface[at] = ranking->surface[at - 1];
-        ranking->surface[at] = i;
-    }
-    for (size_t i = 0; i < ranking->count; i++)
-        estimates[i] = estimate_of(out, results, ranking->surface[i]);
-    return comparison_test(ranking, estimates, status);
-}
-
 enum status_code comparison_make(struct comparison *out, const struct results *results, struct status *status)
 {
-    *out = (struct comparison){.leading = plan_leading_model(results->plan)};
-    return rank(out, results, status);
-}
-
-void comparison_ranking_free(struct comparison_ranking *ranking)
-{
-    free(ranking->surface);
-    free(ranking->pairs);
-    ranking_groups_free(&ranking->groups);
+    const struct estimate *estimates[COMPARISON_RANKED_MOST];
+    size_t surfaces = 0;
+    *out = (struct comparison){.criterion = results_criterion(results)};
+    for (size_t k = 0; k < results->usable_count; k++)
+        surfaces += isfinite(results_cost(results, results->by_roughness[k])) ? 1 : 0;
+    if (surfaces == 0 || surfaces > COMPARISON_RANKED_MOST)
+        return STATUS_OK;
+    out->surface = malloc(surfaces * sizeof *out->surface);
+    if (!out->surface)
+        return status_memory(status);
+    for (size_t i = 0; i < results->surface_count; i++) {
+        const double cost = results_cost(results, i);
+        const struct estimate *estimate = results_estimate(results, i, out->criterion);
+        if (!isfinite(cost) || estimate->count == 0 || isnan(estimate->half_width))
+            continue;
+        size_t at = out->count++;
+        for (; at > 0 && cost < results_cost(results, out->surface[at - 1]); at--)
+            out->surface[at] = out->surface[at - 1];
+        out->surface[at] = i;
+    }
+    for (size_t i = 0; i < out->count; i++)
+        estimates[i] = results_estimate(results, out->surface[i], out->criterion);
+    return comparison_test(out, estimates, status);
 }
 
 void comparison_free(struct comparison *comparison)
 {
-    comparison_ranking_free(&comparison->ranking);
+    free(comparison->surface);
+    free(comparison->pairs);
+    ranking_groups_free(&comparison->groups);
     *comparison = (struct comparison){0};
 }

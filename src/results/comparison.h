@@ -15,9 +15,9 @@ struct comparison_pair {
 
 enum { COMPARISON_RANKED_MOST = 100 /* surfaces; a report ranks no more, and more have no groups */ };
 
-/** Which surface is better in the leading model at the middle load, by ln of the criterion. Surfaces of which nothing
- * is known of how far another scan would be off are not tested, and have no place. */
-struct comparison_ranking {
+/** The surfaces ranked by the criterion in the leading model at the middle load, and tests of its logarithm. A surface
+ * whose scatter is unknown has no place. */
+struct comparison {
     enum quantity criterion; /* ECR, else TCR, else area */
     size_t count;            /* places; 0 where there are more than COMPARISON_RANKED_MOST surfaces with an answer */
     size_t *surface;         /* their indices, the best first; owned, as are: */
@@ -25,27 +25,20 @@ struct comparison_ranking {
     struct ranking_groups groups;  /* of places: those that share one are not told apart */
 };
 
-struct comparison {
-    struct comparison_ranking ranking;
-    size_t leading; /* the model the summary speaks of: the running one of the greatest precedence */
-};
-
 /** End it with comparison_free() whatever comes back. Errors: STATUS_IO, STATUS_MEMORY. */
 MUST_CHECK enum status_code comparison_make(struct comparison *out, const struct results *results,
                                             struct status *status);
 void comparison_free(struct comparison *comparison);
 
-/** Tests what holds the places of a ranking, whose `count` is set, each against each: makes its pairs and, of no more
- * than COMPARISON_RANKED_MOST, its groups. End it with comparison_ranking_free(). Errors: those of ranking_holm(). */
-MUST_CHECK enum status_code comparison_test(struct comparison_ranking *ranking, const struct estimate *const *estimates,
+/** Tests the surfaces of a ranking, whose `count` is set, each against each: makes its pairs and, of no more than
+ * COMPARISON_RANKED_MOST, its groups. End it with comparison_free(). Errors: those of ranking_holm(). */
+MUST_CHECK enum status_code comparison_test(struct comparison *ranking, const struct estimate *const *estimates,
                                             struct status *status);
-void comparison_ranking_free(struct comparison_ranking *ranking);
 
 /** Two answers held against each other, `a` over `b`, by the estimates of their logarithms, the scatter alone; p as it
  * is. */
 struct comparison_pair comparison_of_two(const struct estimate *a, const struct estimate *b);
-/** Places i < j of a ranking. */
-const struct comparison_pair *comparison_pair_of(const struct comparison_ranking *ranking, size_t i, size_t j);
+const struct comparison_pair *comparison_pair_of(const struct comparison *ranking, size_t i, size_t j);
 /** Was a difference between the two found that more scans would show again? */
 bool comparison_told_apart(const struct comparison_pair *pair);
 

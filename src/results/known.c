@@ -36,19 +36,13 @@ struct known known_value(const struct results *results, enum quantity quantity, 
     const size_t leading = plan_leading_model(results->plan);
     const double carried = known_carried(results, quantity, surface),
                  model = comparison_middle(results, leading, surface).value[quantity];
-    const struct estimate *estimate =
-        curve_summary_estimate(surface_model(&results->surfaces[surface].summary, leading), (int)quantity);
-    struct known out = {isfinite(model) ? KNOWN_VALUE : KNOWN_NOTHING,
-                        model,
-                        estimate_end(estimate, 0),
-                        estimate_end(estimate, 1),
-                        carried != 1,
-                        false};
+    const struct estimate *estimate = results_estimate(results, surface, quantity);
+    struct known out = {isfinite(model) ? KNOWN_VALUE : KNOWN_NOTHING, model, estimate_end(estimate, 0),
+                        estimate_end(estimate, 1), .measured = carried != 1};
     for (int side = 0; side < 2 && !out.measured; side++)
-        if (estimate->bound[side] > 0 && (side ? model > estimate->bound[1] : model < estimate->bound[0])) {
-            out = (struct known){side ? KNOWN_AT_MOST : KNOWN_MORE_THAN, estimate->bound[side], NAN, NAN, false, false};
-            return out;
-        }
+        if (estimate->bound[side] > 0 && (side ? model > estimate->bound[1] : model < estimate->bound[0]))
+            return (struct known){
+                side ? KNOWN_AT_MOST : KNOWN_MORE_THAN, estimate->bound[side], NAN, NAN, false, false};
     if (!out.measured)
         return out;
     const struct estimate *fit = &results->answers[surface].fit;
@@ -61,14 +55,6 @@ struct known known_value(const struct results *results, enum quantity quantity, 
     out.low = out.value * exp(-half);
     out.high = out.value * exp(half);
     return out;
-}
-
-struct known known_asked(const struct results *results, const struct asked *asked, size_t surface)
-{
-    struct known known = known_value(results, asked->quantity, surface);
-    if (asked->reciprocal && (known.kind == KNOWN_AT_MOST || known.kind == KNOWN_MORE_THAN))
-        known.kind = known.kind == KNOWN_AT_MOST ? KNOWN_MORE_THAN : KNOWN_AT_MOST;
-    return known;
 }
 
 void known_check_limits(struct results *results, size_t surface)
@@ -108,4 +94,25 @@ struct known known_load(const struct results *results, const struct scene_asked 
     }
     out.short_loads = !carried && answer->wider;
     return out;
+}
+
+struct known known_shown(const struct results *results, const struct asked *asked, const struct scene_asked *target,
+                         size_t surface)
+{
+    struct known out = target ? known_load(results, target, surface) : known_value(results, asked->quantity, surface);
+    const double scale = asked_load_of(results, surface).scale;
+    double ends[2] = {out.low * scale, out.high * scale};
+    if (!target)
+        asked_ends(ends, asked, (const double[]){out.low, out.high});
+    out.value = target ? out.value * scale : asked_shown(asked, out.value);
+    out.low = ends[0];
+    out.high = ends[1];
+    if (!target && asked->reciprocal && (out.kind == KNOWN_AT_MOST || out.kind == KNOWN_MORE_THAN))
+        out.kind = out.kind == KNOWN_AT_MOST ? KNOWN_MORE_THAN : KNOWN_AT_MOST;
+    return out;
+}
+
+int known_digits(const struct known *known)
+{
+    return isfinite(known->low) && isfinite(known->high) && known->high > 1.44 * known->low ? 2 : 3;
 }

@@ -23,8 +23,11 @@ struct known {
 
 /** A quantity where the summary stands. */
 struct known known_value(const struct results *results, enum quantity quantity, size_t surface);
-/** That of the asked quantity; of a reciprocal, value and interval as before, and "at most" is of what is shown. */
-struct known known_asked(const struct results *results, const struct asked *asked, size_t surface);
+/** In the units that the user has: the load that a target needs, or without one the asked quantity. */
+struct known known_shown(const struct results *results, const struct asked *asked, const struct scene_asked *target,
+                         size_t surface);
+/** Digits that a value as shown deserves: two where its interval is wider than a factor 1.2 to either side, else 3. */
+int known_digits(const struct known *known);
 /** Judges the limits of a surface by its measurement, where it has one of their quantity. */
 void known_check_limits(struct results *results, size_t surface);
 /** The load at which a target is met, by the leading model or the measurement. */

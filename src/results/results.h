@@ -57,6 +57,10 @@ double results_operating_load(const struct results *results, size_t surface);
 struct surface_task results_task(const struct results *results, size_t surface);
 /** What surfaces are held against each other by: ECR where the run computes it, else TCR, else the area. */
 enum quantity results_criterion(const struct results *results);
+/** That number of a surface in the leading model where the summary stands, less is better; INFINITY: it has none. */
+double results_cost(const struct results *results, size_t surface);
+/** How far the leading model's quantity of a surface may be off, where the summary stands. */
+const struct estimate *results_estimate(const struct results *results, size_t surface, enum quantity quantity);
 /** The wavelength at which the power laws of all surfaces are held against each other: the middle of what their bands
  * share, or of what lies between them. NaN: no law holds. */
 double results_law_wavelength_m(const struct results *results);

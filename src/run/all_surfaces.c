@@ -33,15 +33,18 @@ static const char *say_direct(const struct plan *plan, const struct direct_plan 
                               double budget_s)
 {
     const bool minutes = first->seconds >= 100;
-    return words_say(plan->words,
-                     "direct.planned\n%s\nsurfaces %zu\n%s\ngrid %zu\n%s\n%s\nseeds %zu\n%s\n%s\nloads %zu\n%s\n"
-                     "time %.2g\n%s\n%s\n%s\nbudget %g",
+    const char *of = first->side > 0
+                         ? words_say(plan->words, "direct.map\n%s", first->mirrored ? "mirrored" : "")
+                         : words_say(plan->words, "direct.surfaces\nseeds %zu\n%s\n%s", first->seeds,
+                                     first->seeds == 1 ? "one_seed" : "", first->fine_times > 1 ? "finer" : "");
+    const char *study =
+        words_say(plan->words, "direct.study\ngrid %zu\nof %s\nloads %zu\n%s\ntime %.2g %s\n%s\n%s\nbudget %g",
+                  first->grid, of, first->loads, first->loads == 1 ? "one_load" : "",
+                  minutes ? first->seconds / 60 : first->seconds, minutes ? "min" : "s",
+                  first->of_spacing ? "of_spacing" : "", first->over_budget ? "over_budget" : "", budget_s);
+    return words_say(plan->words, "direct.planned\n%s\nsurfaces %zu\n%s\nstudy %s",
                      plan_runs(plan, EFFECT_DIRECT) ? "called" : "", surfaces, surfaces == 1 ? "one_surface" : "",
-                     first->grid, first->side > 0 ? "map" : "", first->mirrored ? "mirrored" : "", first->seeds,
-                     first->seeds == 1 ? "one_seed" : "", first->fine_times > 1 ? "finer" : "", first->loads,
-                     first->loads == 1 ? "one_load" : "", minutes ? first->seconds / 60 : first->seconds,
-                     minutes ? "minutes" : "", first->of_spacing ? "of_spacing" : "",
-                     first->over_budget ? "over_budget" : "", budget_s);
+                     study);
 }
 
 /** The direct solution's part of the plan. */

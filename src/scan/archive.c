@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "scan/archive.h"
 #include "base/limits.h"
+#include "scan/reader.h"
 
 #include <errno.h>
 #include <stdint.h>
@@ -25,7 +25,7 @@ static size_t read_long(struct bytes *bytes)
     return low + (read_whole(bytes, BYTES_U32) << 32);
 }
 
-/* The directory and the number of its entries, by the record that ends the archive (APPNOTE 4.3.14 to 4.3.16). */
+/* The directory and the number of its entries, from the record at the archive's end (APPNOTE 4.3.14 to 4.3.16). */
 static struct bytes find_directory(size_t *count, const struct scan_file *file)
 {
     enum { END = 22, COMMENT = UINT16_MAX, LOCATOR = 20 };
@@ -48,7 +48,7 @@ static struct bytes find_directory(size_t *count, const struct scan_file *file)
     return end.overrun ? end : bytes_begin(file, start);
 }
 
-/* What the ZIP64 field among the `length` extra bytes says in place of sizes and a place that are all ones (4.5.3). */
+/* Sizes and a place that are all ones stand in the ZIP64 field of the `length` extra bytes (4.5.3). */
 static void read_zip64(struct archive_entry *entry, size_t *place, struct bytes bytes, size_t length)
 {
     bytes.end = length < bytes_left(&bytes) ? bytes.at + length : bytes.end;
@@ -62,7 +62,7 @@ static void read_zip64(struct archive_entry *entry, size_t *place, struct bytes 
     }
 }
 
-/* Reads an entry of the directory (4.3.12), and how long the header before its bytes is (4.3.7). */
+/* Reads an entry of the directory (4.3.12), and the length of the header before its bytes (4.3.7). */
 static void read_entry(struct archive_entry *out, struct bytes *bytes, const struct scan_file *file)
 {
     bytes->overrun = bytes->overrun || bytes_left(bytes) < 4 || memcmp(bytes->at, "PK\1\2", 4) != 0;
@@ -90,8 +90,8 @@ static void read_entry(struct archive_entry *out, struct bytes *bytes, const str
     out->packed = found && !header.overrun && out->packed_size <= bytes_left(&header) ? header.at : NULL;
 }
 
-/* May all entries be unpacked, one after another: are the claimed sizes within the limits, and do the packed bytes fit
- * into the file one behind another? Where they do not, entries share them, which makes a small file large. */
+/* Are the claimed sizes within the limits, and do the packed bytes fit into the file one behind another? If not,
+ * entries share bytes, and a small file unpacks to a huge one. */
 static enum status_code check_entries(const struct archive *archive)
 {
     const struct scan_file *file = archive->file;
@@ -143,8 +143,8 @@ size_t archive_find(const struct archive *archive, const char *name, bool anywhe
     return i;
 }
 
-/* Unpacks into `text`, which has room for one byte more than its length. Are they as many as the entry claims, or at
- * least that length where it is shorter, and of its checksum? */
+/* Unpacks into `text`, which has room for one byte more than its length; false where the bytes are fewer or, of a whole
+ * entry, more than it claims, or have another checksum. */
 static bool unpack(const struct text *text, const struct archive_entry *entry)
 {
     bool whole = text->length == entry->size, good = false;

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "scan/format.h"
 #include "base/limits.h"
-#include "base/text.h"
 
 #include <errno.h>
 #include <iconv.h>
@@ -24,7 +23,7 @@ static bool is_utf16(const struct scan_file *file)
            (memcmp(file->bytes, "\xFF\xFE", 2) == 0 || memcmp(file->bytes, "\xFE\xFF", 2) == 0);
 }
 
-/* The same file, which some Windows program wrote in UTF-16, in UTF-8. */
+/* Reads a UTF-16 file, which some Windows program wrote, as UTF-8. */
 static enum status_code read_utf16(struct scan *out, const struct scan_file *file)
 {
     iconv_t convert = iconv_open("UTF-8", "UTF-16");
@@ -65,8 +64,9 @@ const struct format format_rows[] = {
     {"npl-prf", FORMAT_SCAN, scan_npl_prf_read, .sniff = scan_npl_prf_sniff},
     {"smd", FORMAT_SCAN, scan_smd_read, .sniff = scan_smd_sniff},
     {"nist-xml", FORMAT_SCAN, scan_nist_xml_read, .sniff = scan_nist_xml_sniff},
-    {"wyko", FORMAT_SCAN, scan_wyko_read, .sniff = scan_wyko_sniff},
-    {"zygo", FORMAT_SCAN, scan_zygo_read, .sniff = scan_zygo_sniff},
+    {"wyko", FORMAT_SCAN, scan_wyko_read, MAGIC("Wyko ASCII Data File Format")},
+    {"zygo", FORMAT_SCAN, scan_zygo_read, MAGIC("Zygo ASCII Data File")},
+    {"zygo", FORMAT_SCAN, scan_zygo_read, MAGIC("Zygo XYZ Data File")},
     /* instruments */
     {"Wyko OPD file", FORMAT_FOREIGN, MAGIC("\1\0Directory")},
     {"Dektak or Bruker OPDx file", FORMAT_FOREIGN, MAGIC("VCA DATA\1\0\0\x55")},
@@ -136,7 +136,7 @@ static bool has_ending(const char *path, const char *endings)
     return dot && string_view_is_one_of(string_view_of(dot), endings);
 }
 
-/* Is the file of that format, by its bytes and its name? A row without magic takes binary content only. */
+/* Is the file of that format? A row without magic and entry takes binary files only. */
 static bool is_format(const struct format *row, const struct scan_file *file, bool binary)
 {
     if (row->sniff)
@@ -151,16 +151,16 @@ static bool is_format(const struct format *row, const struct scan_file *file, bo
     return begins && holds && (!row->endings || has_ending(file->path, row->endings));
 }
 
-/* Texts of these names are no scans, whatever numbers are in them. */
+/* Texts with these names are no scans, even with numbers in them. */
 static const char other_endings[] = ".md .rst .tex .html .htm .css .js .py .ipynb .m .r .rmd .jl .c .h .cpp .hpp .sh "
                                     ".bat .ps1 .cmake .gp .toml .ini .cfg "
                                     ".yaml .yml .svg .url .bib .log";
 static const char *const other_names[] = {"readme",    "license", "licence", "copying",
                                           "changelog", "authors", "makefile"};
-/* And these are scans, or damaged ones, even without numbers. */
+/* Texts with these are scans or damaged ones, even without numbers. */
 static const char table_endings[] = ".csv .tsv .dat .asc .xyz .prf .prn .pro .sdf .smd .gsf .grd .sur .al3d";
 
-/* What a text is that is certainly no scan; NULL: it may be one. */
+/* What a text is that is no scan; NULL: it may be one. */
 static const char *other_text(const struct scan_file *file, bool whole)
 {
     const char *slash = strrchr(file->path, '/'), *name = slash ? slash + 1 : file->path;
@@ -218,7 +218,7 @@ enum status_code format_read(struct scan *out, const struct scan_file *file)
     out->format = format.name;
     if (!format.read)
         return format_refuse(file, &format);
-    if (format.read(out, file) == STATUS_OK && format.read != read_utf16) /* which has come here again */
+    if (format.read(out, file) == STATUS_OK && format.read != read_utf16) /* which has warned already */
         scan_warn_units(out, file);
     return file->status->code;
 }

@@ -2,8 +2,6 @@
 #include "scan/reader.h"
 #include "base/limits.h"
 #include "base/unit.h"
-#include "scan/scan.h"
-#include "scan/string_view.h"
 #include "scan/text_header.h"
 
 #include <math.h>
@@ -26,10 +24,10 @@ enum status_code scan_fail(const struct scan_file *file, size_t line, const char
     va_start(args, format);
     vsnprintf(message, sizeof message, format, args);
     va_end(args);
+    char place[32] = "";
     if (line > 0)
-        status_fail(file->status, STATUS_SCAN, "%.440s:%zu: %s", file->path, line, message);
-    else
-        status_fail(file->status, STATUS_SCAN, "%.440s: %s", file->path, message);
+        snprintf(place, sizeof place, ":%zu", line);
+    status_fail(file->status, STATUS_SCAN, "%.440s%s: %s", file->path, place, message);
     scan_printable(file->status->message);
     return file->status->code;
 }
@@ -63,7 +61,6 @@ void scan_warn(struct scan *scan, const char *format, ...)
     scan_printable(scan->warnings[scan->warning_count++]);
 }
 
-/* NULL where nothing is said. */
 static const char *said(const char *name)
 {
     return name && *name ? name : NULL;
@@ -127,18 +124,15 @@ enum status_code scan_units(struct scan *out, const char *x_named, const char *z
     return STATUS_OK;
 }
 
-static void warn_unit(struct scan *scan, char axis, const char *named, const char *scene)
-{
-    double used = find_unit(named).si;
-    if (said(scene) && used > 0 && find_unit(scene).si != used)
-        scan_warn(scan, "the file%s names its %c unit, %s: the scene's %c_unit is not used",
-                  scan->units_beside ? " or its sidecar" : "", axis, named, axis);
-}
-
 void scan_warn_units(struct scan *out, const struct scan_file *file)
 {
-    warn_unit(out, 'x', out->x_unit, file->options->x_unit);
-    warn_unit(out, 'z', out->z_unit, file->options->z_unit);
+    const char *const units[2][2] = {{out->x_unit, file->options->x_unit}, {out->z_unit, file->options->z_unit}};
+    for (size_t i = 0; i < 2; i++) {
+        double used = find_unit(units[i][0]).si;
+        if (said(units[i][1]) && used > 0 && find_unit(units[i][1]).si != used)
+            scan_warn(out, "the file%s names its %c unit, %s: the scene's %c_unit is not used",
+                      out->units_beside ? " or its sidecar" : "", "xz"[i], units[i][0], "xz"[i]);
+    }
 }
 
 void scan_set_units(struct scan *out, const char *x_unit, const char *z_unit)
@@ -227,11 +221,10 @@ bool scan_is_missing(struct string_view cell)
     const char *at = cell.start;
     while (at < cell.end && *at == '*')
         at++;
-    return (cell.end > cell.start && at == cell.end) || string_view_equals(cell, "NaN") ||
-           string_view_equals(cell, "BAD");
+    return (cell.end > cell.start && at == cell.end) || string_view_is_one_of(cell, "NaN BAD");
 }
 
-enum status_code scan_take_text(struct scan *out, struct string_view text, double z_m, const char *end,
+enum status_code scan_take_text(struct scan *out, struct string_view text, double z_m, double blank, const char *end,
                                 const struct scan_file *file)
 {
     struct string_view word;
@@ -243,7 +236,7 @@ enum status_code scan_take_text(struct scan *out, struct string_view text, doubl
             return scan_fail(file, scan_line(file, text.start), "the heights end after %zu of %zu; copy the file again",
                              i, out->nx * out->ny);
         if (number_scan(word, NUMBER_POINT, NULL, &value) == word.end && isfinite(value))
-            out->z_m[i] = value * z_m;
+            out->z_m[i] = value >= blank ? NAN : value * z_m;
         else if (scan_is_missing(word))
             out->z_m[i] = NAN;
         else
@@ -261,7 +254,7 @@ bool scan_is_binary(const struct scan_file *file)
     enum { LOOKED_AT = 4096 };
     size_t length = file->length < LOOKED_AT ? file->length : LOOKED_AT;
     while (length == file->length && length > 0 && (file->bytes[length - 1] == '\0' || file->bytes[length - 1] == 0x1a))
-        length--; /* some programs end a text so */
+        length--; /* some programs end a text with these */
     for (size_t i = 0; i < length; i++) {
         unsigned char c = (unsigned char)file->bytes[i];
         if (c == '\0' || (c < 0x20 && !strchr("\t\n\v\f\r\x1a\x02\x03\x04", c)))

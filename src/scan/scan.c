@@ -4,6 +4,7 @@
 #include "scan/format.h"
 #include "scan/text_header.h"
 
+#include <gsl/gsl_vector.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -14,11 +15,8 @@ enum { SCAN_POINTS = 3 };
 
 static void reverse(double *values, size_t n)
 {
-    for (size_t i = 0, k = n; i + 1 < k; i++) {
-        double keep = values[i];
-        values[i] = values[--k];
-        values[k] = keep;
-    }
+    gsl_vector_view view = gsl_vector_view_array(values, n);
+    gsl_vector_reverse(&view.vector);
 }
 
 static enum status_code check_positions(struct scan *scan, const struct scan_file *file)
@@ -32,9 +30,7 @@ static enum status_code check_positions(struct scan *scan, const struct scan_fil
             reverse(scan->x_m, scan->nx);
             for (size_t row = 0; row < scan->ny; row++)
                 reverse(scan->z_m + row * scan->nx, scan->nx);
-            double run_up_m = scan->margin_m[1];
-            scan->margin_m[1] = scan->margin_m[0];
-            scan->margin_m[0] = run_up_m;
+            reverse(scan->margin_m, 2);
             scan_warn(scan, "x descends: the scan was reversed");
         }
         scan->dx_m = (scan->x_m[scan->nx - 1] - scan->x_m[0]) / (double)(scan->nx - 1);
@@ -46,15 +42,7 @@ static enum status_code check_positions(struct scan *scan, const struct scan_fil
     return STATUS_OK;
 }
 
-static enum status_code check_length(double length_m, const char *what, char axis, const struct scan_file *file)
-{
-    if (length_m >= scan_least_m * (1 - 1e-9) && length_m <= scan_most_m * (1 + 1e-9)) /* positions are rounded */
-        return STATUS_OK;
-    return scan_fail(file, 0, "%s of %.3g m; allowed is %g to %g m: is the unit of %c right?", what, length_m,
-                     scan_least_m, scan_most_m, axis);
-}
-
-/* Squares of what lies beyond would overflow or vanish. */
+/* Are all lengths scan_least_m to scan_most_m? Squares of what is beyond would overflow or vanish. */
 static enum status_code check_lengths(const struct scan *scan, const struct scan_file *file)
 {
     double step_m = scan->dx_m, highest_m = -INFINITY, lowest_m = INFINITY;
@@ -64,19 +52,28 @@ static enum status_code check_lengths(const struct scan *scan, const struct scan
         highest_m = scan->z_m[i] > highest_m ? scan->z_m[i] : highest_m;
         lowest_m = scan->z_m[i] < lowest_m ? scan->z_m[i] : lowest_m;
     }
-    double largest_m = fmax(-lowest_m, highest_m);
-    if (check_length(step_m, "a spacing", 'x', file) != STATUS_OK ||
-        check_length((double)scan->nx * scan->dx_m, "a length", 'x', file) != STATUS_OK)
-        return file->status->code;
-    if (scan->kind == SCAN_AREAL && (check_length(scan->dy_m, "a row spacing", 'y', file) != STATUS_OK ||
-                                     check_length((double)scan->ny * scan->dy_m, "a width", 'y', file) != STATUS_OK))
-        return file->status->code;
-    if (largest_m > scan_most_m)
-        return check_length(largest_m, "heights", 'z', file);
-    return highest_m == lowest_m ? STATUS_OK : check_length(highest_m - lowest_m, "heights", 'z', file);
+    const double largest_m = fmax(-lowest_m, highest_m), range_m = highest_m - lowest_m;
+    const bool map = scan->kind == SCAN_AREAL;
+    const struct {
+        bool counts;
+        double length_m;
+        const char *name;
+        char axis;
+    } rows[] = {{true, step_m, "a spacing", 'x'},
+                {true, (double)scan->nx * scan->dx_m, "a length", 'x'},
+                {map, scan->dy_m, "a row spacing", 'y'},
+                {map, (double)scan->ny * scan->dy_m, "a width", 'y'},
+                {largest_m > scan_most_m, largest_m, "heights", 'z'},
+                {range_m > 0 && largest_m <= scan_most_m, range_m, "heights", 'z'}}; /* all may be equal */
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+        if (rows[i].counts && !(rows[i].length_m >= scan_least_m * (1 - 1e-9) && /* positions are rounded */
+                                rows[i].length_m <= scan_most_m * (1 + 1e-9)))
+            return scan_fail(file, 0, "%s of %.3g m; allowed is %g to %g m: is the unit of %c right?", rows[i].name,
+                             rows[i].length_m, scan_least_m, scan_most_m, rows[i].axis);
+    return STATUS_OK;
 }
 
-/* What scan.h promises about every scan, whichever reader made it. */
+/* Checks what scan.h promises about every scan, whichever reader made it. */
 static enum status_code check(struct scan *scan, const struct scan_file *file)
 {
     size_t points = scan->nx * scan->ny;
@@ -150,19 +147,17 @@ enum status_code scan_read(struct scan *out, const char *path, const struct scan
 
 enum status_code scan_transpose(struct scan *scan, struct status *status)
 {
-    double *z_m = malloc(scan->nx * scan->ny * sizeof *z_m);
+    const size_t nx = scan->nx, ny = scan->ny;
+    const double dx_m = scan->dx_m;
+    double *z_m = malloc(nx * ny * sizeof *z_m);
     if (!z_m)
         return status_memory(status);
-    for (size_t row = 0; row < scan->ny; row++)
-        for (size_t i = 0; i < scan->nx; i++)
-            z_m[i * scan->ny + row] = scan->z_m[row * scan->nx + i];
-    free(scan->z_m);
-    free(scan->x_m);
-    double dx_m = scan->dx_m;
-    size_t nx = scan->nx;
+    for (size_t row = 0; row < ny; row++)
+        for (size_t i = 0; i < nx; i++)
+            z_m[i * ny + row] = scan->z_m[row * nx + i];
+    scan_free_points(scan);
     scan->z_m = z_m;
-    scan->x_m = NULL;
-    scan->nx = scan->ny;
+    scan->nx = ny;
     scan->ny = nx;
     scan->dx_m = scan->dy_m;
     scan->dy_m = dx_m;

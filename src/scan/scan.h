@@ -23,20 +23,18 @@ struct scan {
     double *x_m;         /* nx positions, or NULL where the file gives a spacing only */
     double dx_m, dy_m;   /* spacing; dx_m = (last - first)/(nx - 1) when x_m is given; dy_m 0 for a profile */
     double nominal_dx_m; /* spacing that the header names beside the positions x_m; 0: none */
-    double
-        margin_m[2]; /* run-up at the beginning and overtravel at the end, which the header says are in it; 0: none */
-    double *z_m;     /* ny*nx heights, row after row; NaN where a point is missing */
-    size_t missing;  /* how many are */
-    char x_unit[SCAN_UNIT_SIZE],
-        z_unit[SCAN_UNIT_SIZE];                        /* as named by the file, else by a sidecar, else by the scene */
-    char part[104];                                    /* of an archive: which file in it; else "" */
-    size_t next_entry;                                 /* where its next scan is; 0: there is none */
-    size_t x_column, z_column;                         /* of a table of text, from 1; 0 where there is none */
-    bool units_lacking;                                /* the file itself does not name both units */
-    char unknown_unit[2][8];                           /* what it names for x, z instead, in brackets; "": nothing */
-    bool units_beside;                                 /* and one or both came from a sidecar */
-    char *sidecar;                                     /* path of that sidecar; NULL: none was used */
-    char warnings[SCAN_WARNINGS][SCAN_WARNING_LENGTH]; /* each one line, lower case */
+    double margin_m[2];  /* run-up and overtravel at its ends, as the header names them; 0: none */
+    double *z_m;         /* ny*nx heights, row after row; NaN where a point is missing */
+    size_t missing;      /* how many are */
+    char x_unit[SCAN_UNIT_SIZE], z_unit[SCAN_UNIT_SIZE]; /* by the file, else by a sidecar, else by the scene */
+    char part[104];                                      /* of an archive: which file in it; else "" */
+    size_t next_entry;                                   /* where its next scan is; 0: there is none */
+    size_t x_column, z_column;                           /* of a table of text, from 1; 0: none */
+    bool units_lacking;                                  /* the file itself does not name both units */
+    char unknown_unit[2][8];                             /* for x, z: what it names in brackets instead; "": nothing */
+    bool units_beside;                                   /* one or both came from a sidecar */
+    char *sidecar;                                       /* path of that sidecar; NULL: none was used */
+    char warnings[SCAN_WARNINGS][SCAN_WARNING_LENGTH];   /* each one line, lower case */
     size_t warning_count;
 };
 
@@ -44,13 +42,13 @@ struct sidecar;
 struct text;
 
 /** What the scene says about a file; "" or NULL where it says nothing. Its units are used only where neither the file
- * itself nor a sidecar names any. */
+ * nor a sidecar names any. */
 struct scan_options {
     const char *x_unit, *z_unit;   /* units of length */
     size_t x_column, z_column;     /* of a table of text, from 1; 0: the header decides */
     size_t entry;                  /* of an archive of several scans: 0 the first, then next_entry of the one before */
     const struct sidecar *sidecar; /* set by scan_read_beside() */
-    struct text *spent; /* what holds the file's bytes, freed once numbers are made of them; NULL: they stay */
+    struct text *spent;            /* the file's text, to be freed once its numbers are read; NULL: it stays */
 };
 
 /** The bytes of a file in memory; `bytes[length]` is readable and 0. */
@@ -60,39 +58,38 @@ struct scan_bytes {
     const char *path; /* for messages only */
 };
 
-/** Lengths [m] beyond which nothing was measured, and a unit or an exponent is wrong. Of heights and steps between them
- * the squares of heights, slopes and curvatures (up to 1e180) keep their distance from the ends of double. */
+/** Lengths [m] that a scan may have; beyond them a unit or an exponent is wrong, and squares of slopes and curvatures
+ * might overflow or vanish. */
 extern const double scan_least_m, scan_most_m;
 
-/** Reads `path`. `out` is to be freed with scan_free() whatever comes back.
- * Heights and positions are SI; x ascends strictly; at least 3 points; every number finite or, for z, NaN (missing);
- * steps, the extent and the largest difference of heights (unless all are equal) are scan_least_m to scan_most_m.
- * Errors: STATUS_IO (cannot be read), STATUS_SCAN (no scan, one line: what, which line, remedy),
- * STATUS_MEMORY. */
+/** Reads `path`; scan_free() frees `out` whatever is returned. Lengths are in m; x ascends strictly; at least 3 points;
+ * every number is finite or, for z, NaN (missing); steps, the extent and the largest difference of heights (unless all
+ * are equal) are scan_least_m to scan_most_m. Errors: STATUS_IO, STATUS_SCAN (no scan; one line: what, where, what to
+ * do), STATUS_MEMORY. */
 MUST_CHECK enum status_code scan_read(struct scan *out, const char *path, const struct scan_options *options,
                                       struct status *status);
-/** The same from bytes already in memory, the content of `path`. Where they do not name both units, a sidecar of `path`
- * (sidecar.h) is read too: what it says comes before the scene's units, and out->sidecar names it. */
+/** The same from bytes in memory, the content of `path`. Where they do not name both units, a sidecar of `path`
+ * (text_header.h) is read too: its units come before the scene's, and out->sidecar names it. */
 MUST_CHECK enum status_code scan_read_beside(struct scan *out, const struct scan_bytes *file, const char *path,
                                              const struct scan_options *options, struct status *status);
-/** The same without a look at any other file. */
+/** The same without a sidecar. */
 MUST_CHECK enum status_code scan_read_bytes(struct scan *out, const struct scan_bytes *file,
                                             const struct scan_options *options, struct status *status);
-/** What a file is that lies beside scans and is certainly none, by its name and its bytes (`whole`: all of them; else
- * the first): "PNG picture", "text without a row of numbers"; NULL: it may be one. */
+/** What a file is that is certainly no scan, by its name and its bytes (`whole`: all, else only the first): "PNG
+ * picture", "text without a row of numbers"; NULL: it may be a scan. */
 const char *scan_is_other(const struct scan_bytes *file, bool whole);
-/** Do the first bytes not tell what the file is, but the last ones (zip)? */
+/** Is it a zip archive, whose last bytes say what is in it? */
 bool scan_tells_at_end(const char *bytes, size_t length);
 void scan_free(struct scan *scan);
-/** Frees heights and positions, of which a profile was made. */
+/** Frees heights and positions only. */
 void scan_free_points(struct scan *scan);
-/** Exchanges rows and columns of a map, so that its columns can be taken as profiles. Error: STATUS_MEMORY. */
+/** Exchanges rows and columns of a map. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code scan_transpose(struct scan *scan, struct status *status);
 /** Notes a warning; beyond SCAN_WARNINGS it is dropped. */
 void scan_warn(struct scan *scan, const char *format, ...) PRINTF_LIKE(2, 3);
 
-/** Metres per unit for "m", "mm", "um", "µm", "micron(s)", "nm", "pm", "A"/"Å", "in"/"inch", "mil", "uin"/"µin"...
- * in any encoding they come in (UTF-8 both mu signs; latin-1 0xB5); 0 when the name is no length. */
+/** Metres per unit for "m", "mm", "um", "µm", "micron(s)", "nm", "pm", "A", "in", "mil", "uin" ..., mu in UTF-8 or
+ * Latin-1; 0 where the name is no length. */
 double scan_unit_m(const char *name);
 
 #endif

@@ -1,21 +1,19 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Native Gwyddion files: `GWYP` and a serialized GwyContainer, whose components are a name, a letter for the type, and
- * the value; little-endian. `/N/data` are GwyDataFields (maps). Read is the first whose values are lengths. The format
- * is described in Gwyddion's user guide, Format of Gwyddion Files. */
+ * the value; little-endian. `/N/data` are GwyDataFields (maps), of which the first whose values are lengths is read.
+ * Described in Gwyddion's user guide, Format of Gwyddion Files. */
 #include "scan/reader.h"
-#include "scan/string_view.h"
 
 #include <math.h>
 #include <string.h>
 
-/* A component: its name, its type and where its value is. */
 struct component {
     struct string_view name;
     char type;
     struct bytes value;
 };
 
-/* A map that lies in the file. */
+/* A map or a mask, in the file. */
 struct field {
     size_t number; /* N of /N/data */
     double nx, ny, width, height;
@@ -24,13 +22,13 @@ struct field {
     size_t count;
 };
 
-/* What was found: the map to be read and its mask, which is not 0 where a point is not to count. */
+/* The map to be read and its mask, which is not 0 where a point does not count. */
 struct found {
     struct field map, mask; /* mask.count 0: there is none */
     size_t maps;
 };
 
-/* A string up to its NUL, and behind that. */
+/* Takes a string and its NUL. */
 static struct string_view take_string(struct bytes *bytes)
 {
     const char *end = memchr(bytes->at, '\0', bytes_left(bytes));
@@ -39,7 +37,7 @@ static struct string_view take_string(struct bytes *bytes)
     return string;
 }
 
-/* The name of an object, then its components alone in *inner. */
+/* Takes an object: its name, and its components in *inner. */
 static struct string_view take_object(struct bytes *bytes, struct bytes *inner)
 {
     struct string_view name = take_string(bytes);
@@ -54,15 +52,13 @@ static struct string_view take_object(struct bytes *bytes, struct bytes *inner)
 /* Skips a value of that type; an unknown type is an overrun. */
 static void skip_value(struct bytes *bytes, char type)
 {
-    static const char singles[] = "bciqd", arrays[] = "CIQD";
-    static const size_t sizes[] = {1, 1, 4, 8, 8};
-    const char *single = strchr(singles, type), *array = strchr(arrays, type);
+    static const char numbers[] = "bciqdCIQD"; /* capitals: arrays of them */
+    static const size_t sizes[] = {1, 1, 4, 8, 8, 1, 4, 8, 8};
+    const char *number = type ? strchr(numbers, type) : NULL;
     struct bytes inner;
-    if (type != '\0' && single) {
-        bytes_skip(bytes, sizes[single - singles]);
-    } else if (type != '\0' && array) {
-        size_t count = (size_t)bytes_number(bytes, BYTES_U32);
-        bytes_skip(bytes, count * sizes[array - arrays + 1]);
+    if (number) {
+        size_t count = type <= 'Z' ? (size_t)bytes_number(bytes, BYTES_U32) : 1;
+        bytes_skip(bytes, count * sizes[number - numbers]);
     } else if (type == 's') {
         (void)take_string(bytes);
     } else if (type == 'o') {
@@ -99,7 +95,7 @@ static void read_unit(char *unit, const struct component *component)
             scan_copy(unit, SCAN_UNIT_SIZE, take_string(&member.value));
 }
 
-/* A GwyDataField; false where it is another object or damaged. */
+/* Reads a GwyDataField; false where it is another object or damaged. */
 static bool read_field(struct field *out, const struct component *component)
 {
     const struct {
@@ -137,11 +133,10 @@ static bool is_key(struct string_view name, const char *end, size_t *number)
            number_read_size((struct string_view){name.start + 1, name.end - tail}, number);
 }
 
-/* Is `field` to be read rather than `best`? Lengths before others, then by number. */
+/* Is `field` to be read rather than `best`? Lengths come before others, then the lower number. */
 static bool is_better(const struct field *field, const struct field *best)
 {
-    bool length = scan_unit_m(field->z_unit) > 0;
-    bool best_length = scan_unit_m(best->z_unit) > 0;
+    bool length = scan_unit_m(field->z_unit) > 0, best_length = scan_unit_m(best->z_unit) > 0;
     return length != best_length ? length : field->number < best->number;
 }
 
@@ -184,23 +179,11 @@ static enum status_code find_fields(struct found *out, const struct scan_file *f
     return STATUS_OK;
 }
 
-/* Points under the mask are missing: Gwyddion itself fills what an instrument did not measure, and masks it. */
-static void take_mask(struct scan *out, struct field *mask)
-{
-    size_t masked = 0;
-    for (size_t i = 0; i < mask->count; i++)
-        if (bytes_number(&mask->data, BYTES_F64) != 0) {
-            out->z_m[i] = NAN;
-            masked++;
-        }
-    if (masked > 0)
-        scan_warn(out, "%zu points under the mask of Gwyddion are taken as missing", masked);
-}
-
 enum status_code scan_gwy_read(struct scan *out, const struct scan_file *file)
 {
     struct found found;
     struct field *map = &found.map;
+    size_t masked = 0;
     double x_m, z_m;
     if (find_fields(&found, file) != STATUS_OK ||
         scan_units(out, map->xy_unit, map->z_unit, &x_m, &z_m, file) != STATUS_OK ||
@@ -210,7 +193,13 @@ enum status_code scan_gwy_read(struct scan *out, const struct scan_file *file)
         out->z_m[i] = bytes_number(&map->data, BYTES_F64) * z_m;
     out->dx_m = map->width / map->nx * x_m;
     out->dy_m = map->height / map->ny * x_m;
-    take_mask(out, &found.mask);
+    for (size_t i = 0; i < found.mask.count; i++) /* Gwyddion fills in points that were not measured, and masks them */
+        if (bytes_number(&found.mask.data, BYTES_F64) != 0) {
+            out->z_m[i] = NAN;
+            masked++;
+        }
+    if (masked > 0)
+        scan_warn(out, "%zu points under the mask of Gwyddion are taken as missing", masked);
     if (found.maps > 1)
         scan_warn(out, "the file holds %zu maps: /%zu/data was read", found.maps, map->number);
     return STATUS_OK;

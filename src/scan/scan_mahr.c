@@ -1,17 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Mahr text: sections in brackets, `NO_POINTS=n`, then below [PROFILE_VALUES] one line a point in millimetres:
- * `index=x y z c lock` of MarWin, which names them in a comment above, `index=x z lock` of the MarSurf PS 10. */
+/* Mahr text: sections in brackets, `NO_POINTS=n`, then below [PROFILE_VALUES] a line for each point in mm:
+ * `index=x y z c lock` of MarWin, with a comment above that names them, or `index=x z lock` of the MarSurf PS 10. */
 #include "scan/reader.h"
-#include "scan/string_view.h"
 #include "scan/text_header.h"
 
 #include <math.h>
 #include <string.h>
 
-static const double mahr_unit_m = 1e-3; /* of both */
-enum { MAHR_SHORTEST = 6 };             /* bytes of the shortest line of a point, `0=1 2` and its end */
+static const double mahr_unit_m = 1e-3;       /* of both */
+enum { MAHR_FIELDS = 64, MAHR_SHORTEST = 6 }; /* most fields; bytes of the shortest line of a point, `0=1 2` */
 
-/* Which of a point's `count` fields are x and z, from 0; count 0 while that is not known. */
+/* How many fields a point has (0: not known yet), and which are x and z, from 0. */
 struct fields {
     size_t count, x, z;
 };
@@ -20,8 +19,8 @@ struct fields {
 static struct fields named_fields(struct string_view names)
 {
     struct fields fields = {0, SIZE_MAX, SIZE_MAX};
-    for (struct string_view name;
-         cell_next(&names, memchr(names.start, ',', string_view_length(names)) ? ',' : ' ', &name); fields.count++) {
+    const char delimiter = memchr(names.start, ',', string_view_length(names)) ? ',' : ' ';
+    for (struct string_view name; cell_next(&names, delimiter, &name); fields.count++) {
         fields.x = string_view_equals(name, "x") ? fields.count : fields.x;
         fields.z = string_view_equals(name, "z") ? fields.count : fields.z;
     }
@@ -36,31 +35,21 @@ static bool read_length(struct string_view word, double *length_m)
     return good;
 }
 
-/* Reads `index=field field ...`; false when the line is not of that form. Where nothing names the fields, the first
- * point tells: up to three are x, z and whether the point is locked. */
+/* Reads `index=field field ...`; false where the line is not of that form. Without a comment the first point decides:
+ * up to three fields are x, z and lock. */
 static bool read_point(struct string_view line, struct fields *fields, double *x, double *z)
 {
     const char *equals = memchr(line.start, '=', string_view_length(line));
-    if (!equals)
-        return false;
-    struct string_view rest = {equals + 1, line.end}, word;
+    struct string_view rest = {equals ? equals + 1 : line.end, line.end}, word[MAHR_FIELDS];
     size_t count = 0;
-    while (scan_word(&rest, &word))
+    while (count < MAHR_FIELDS && scan_word(&rest, &word[count]))
         count++;
-    if (fields->count == 0)
+    if (fields->count == 0 && equals)
         *fields = (struct fields){count, 0, count > 3 ? 2 : 1};
-    rest.start = equals + 1;
-    bool good = count == fields->count && count > 1;
-    for (size_t i = 0; good && scan_word(&rest, &word); i++) {
-        double length_m;
-        good = read_length(word, &length_m) || (i != fields->x && i != fields->z);
-        *x = i == fields->x ? length_m : *x;
-        *z = i == fields->z ? length_m : *z;
-    }
-    return good;
+    return count == fields->count && count > 1 && read_length(word[fields->x], x) && read_length(word[fields->z], z);
 }
 
-/* The points from `lines` on, until a section begins or the file ends. */
+/* Reads the points up to the next section. */
 static enum status_code read_points(struct scan *out, struct lines lines, const struct scan_file *file)
 {
     size_t n = 0;
@@ -88,31 +77,26 @@ static enum status_code read_points(struct scan *out, struct lines lines, const 
     return STATUS_OK;
 }
 
-/* Takes over `key=length` in mm, 0 or more. */
-static enum status_code take_length(double *length_m, const char *key, struct string_view line, size_t line_number,
-                                    const struct scan_file *file)
+/* Is `line` `key=value`? *value is what follows. */
+static bool has_key(struct string_view line, const char *key, struct string_view *value)
 {
-    line.start += string_view_starts(line, key) ? strlen(key) : string_view_length(line);
-    if (line.start == line.end || *line.start != '=')
-        return STATUS_OK;
-    line.start++;
-    if (read_length(string_view_trim(line), length_m) && *length_m >= 0)
-        return STATUS_OK;
-    return scan_fail(file, line_number, "%s is no length", key);
+    *value = (struct string_view){line.start + strlen(key), line.end};
+    return string_view_starts(line, key);
 }
 
 enum status_code scan_mahr_text_read(struct scan *out, const struct scan_file *file)
 {
+    static const char *const margins[2] = {"PRETRAV_LIN=", "POSTTRAV_LIN="};
     size_t n = 0;
     struct lines lines = lines_begin(scan_view(file));
-    for (struct string_view line; lines_next(&lines, &line);) {
+    for (struct string_view line, value; lines_next(&lines, &line);) {
         line = string_view_trim(line);
-        if (string_view_starts(line, "NO_POINTS=") &&
-            !number_read_size((struct string_view){line.start + strlen("NO_POINTS="), line.end}, &n))
+        if (has_key(line, "NO_POINTS=", &value) && !number_read_size(value, &n))
             return scan_fail(file, lines.number, "NO_POINTS is no number of points");
-        if (take_length(&out->margin_m[0], "PRETRAV_LIN", line, lines.number, file) != STATUS_OK ||
-            take_length(&out->margin_m[1], "POSTTRAV_LIN", line, lines.number, file) != STATUS_OK)
-            return file->status->code;
+        for (size_t end = 0; end < 2; end++)
+            if (has_key(line, margins[end], &value) &&
+                !(read_length(string_view_trim(value), &out->margin_m[end]) && out->margin_m[end] >= 0))
+                return scan_fail(file, lines.number, "%.*s is no length", (int)strlen(margins[end]) - 1, margins[end]);
         if (!string_view_equals(line, "[PROFILE_VALUES]"))
             continue;
         size_t room = (size_t)(lines.end - lines.next + 1) / MAHR_SHORTEST;

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* NIST surface metrology database XML: <UNITS>, <NUMPOINTS>, <SPACING> and blocks of heights, one a line: the profile
- * as measured, and perhaps filtered to roughness or waviness. */
+/* XML of the NIST surface metrology database: <UNITS>, <NUMPOINTS>, <SPACING> and blocks of heights, a line each: the
+ * profile as measured, and perhaps its roughness or waviness. */
 #include "scan/reader.h"
-#include "scan/string_view.h"
 
+#include <math.h>
 #include <string.h>
 
 enum { NIST_SNIFF = 65536 };
 
-/* The first block with heights in it is taken; the format's name says which. */
+/* The first block with heights in it is read; the format's name says which. */
 static const struct {
     const char *tag, *format;
 } nist_blocks[] = {
@@ -29,7 +29,7 @@ static const char *find(struct string_view text, const char *what)
     return memmem(text.start, string_view_length(text), what, strlen(what));
 }
 
-/* What stands between <tag> and </tag>, the first time in `text`; empty when there is none. */
+/* What stands between the first <tag> in `text` and </tag>; empty: there is none. */
 static struct string_view element(struct string_view text, const char *tag)
 {
     char open[64] = "<", close[64] = "</";
@@ -60,11 +60,10 @@ enum status_code scan_nist_xml_read(struct scan *out, const struct scan_file *fi
         return scan_fail(file, 0, "no number of points in <NUMPOINTS>");
     if (!number_read(element(text, "SPACING"), &spacing))
         return scan_fail(file, 0, "no spacing in <SPACING>");
-    out->ny = 1;
     char unit[SCAN_UNIT_SIZE];
     scan_copy(unit, sizeof unit, element(text, "UNITS"));
     if (scan_units(out, unit, unit, &x_m, &z_m, file) != STATUS_OK ||
-        scan_take_text(out, data, z_m, NULL, file) != STATUS_OK)
+        scan_take_text(out, data, z_m, INFINITY, NULL, file) != STATUS_OK)
         return file->status->code;
     out->dx_m = spacing * x_m;
     return STATUS_OK;

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* ISO 25178-71 SDF and its forerunners: magic 'a' (text) or 'b' (binary) and a version. Scales are metres per step, and
- * metres per unit of height. Text: `Key = value` lines, `*`, heights, `*`, a trailer. Binary: 81 bytes, heights. */
+/* ISO 25178-71 SDF and its predecessors: 'a' (text) or 'b' (binary) and a version. Scales are metres per step and per
+ * unit of height. Text: `Key = value` lines, `*`, heights, `*`, a trailer. Binary: a header of 81 bytes, heights. */
 #include "scan/reader.h"
-#include "scan/string_view.h"
 
 #include <math.h>
 
@@ -38,47 +37,37 @@ static enum status_code check_header(struct scan *out, const struct sdf_header *
     return STATUS_OK;
 }
 
-static enum status_code read_text_header(struct sdf_header *header, struct lines *lines, const struct scan_file *file)
-{
-    const struct scan_key keys[] = {{"NumPoints", .count = &header->nx},
-                                    {"NumProfiles", .count = &header->ny},
-                                    {"Compression", .count = &header->compression},
-                                    {"Xscale", .number = &header->x_scale},
-                                    {"Yscale", .number = &header->y_scale},
-                                    {"Zscale", .number = &header->z_scale},
-                                    {0}};
-    struct string_view line;
-    lines_next(lines, &line); /* the version */
-    while (lines_next(lines, &line)) {
-        if (string_view_equals(string_view_trim(line), "*"))
-            return STATUS_OK;
-        if (scan_take_key(keys, line, lines->number, file) != STATUS_OK)
-            return file->status->code;
-    }
-    return scan_fail(file, lines->number, "no line `*` between header and heights");
-}
-
 static enum status_code read_text(struct scan *out, const struct scan_file *file)
 {
     struct sdf_header header = {0};
+    const struct scan_key keys[] = {{"NumPoints", .count = &out->nx},
+                                    {"NumProfiles", .count = &out->ny},
+                                    {"Compression", .count = &header.compression},
+                                    {"Xscale", .number = &header.x_scale},
+                                    {"Yscale", .number = &header.y_scale},
+                                    {"Zscale", .number = &header.z_scale},
+                                    {0}};
     struct lines lines = lines_begin(scan_view(file));
-    if (read_text_header(&header, &lines, file) != STATUS_OK || check_header(out, &header, file) != STATUS_OK)
+    struct string_view line;
+    bool star = false;
+    out->nx = out->ny = 0;
+    lines_next(&lines, &line); /* the version */
+    while (!star && lines_next(&lines, &line)) {
+        star = string_view_equals(string_view_trim(line), "*");
+        if (!star && scan_take_key(keys, line, lines.number, file) != STATUS_OK)
+            return file->status->code;
+    }
+    if (!star)
+        return scan_fail(file, lines.number, "no line `*` between header and heights");
+    if (check_header(out, &header, file) != STATUS_OK)
         return file->status->code;
-    out->nx = header.nx;
-    out->ny = header.ny;
-    return scan_take_text(out, (struct string_view){lines.next, lines.end}, header.z_scale, "*", file);
-}
-
-/* The value that marks a missing point: the largest unsigned, the smallest signed 16 or 32-bit integer; NaN (which is
- * missing anyway) for the other types. */
-static double missing_mark(size_t type)
-{
-    static const double marks[BYTES_COUNT] = {NAN, UINT16_MAX, UINT32_MAX, NAN, NAN, INT16_MIN, INT32_MIN, NAN};
-    return marks[type];
+    return scan_take_text(out, (struct string_view){lines.next, lines.end}, header.z_scale, INFINITY, "*", file);
 }
 
 static enum status_code read_binary(struct scan *out, const struct scan_file *file)
 {
+    /* of each type the value that marks a missing point, which NaN always is */
+    static const double missing[BYTES_COUNT] = {NAN, UINT16_MAX, UINT32_MAX, NAN, NAN, INT16_MIN, INT32_MIN, NAN};
     struct bytes bytes = bytes_begin(file, 8 + 10 + 12 + 12); /* version, maker, two dates */
     struct sdf_header header = {0};
     header.nx = (size_t)bytes_number(&bytes, BYTES_U16);
@@ -102,10 +91,9 @@ static enum status_code read_binary(struct scan *out, const struct scan_file *fi
     size_t points = header.nx * header.ny;
     if (bytes_left(&bytes) == points * bytes_size(type) + SDF_OLYMPUS_EXTRA)
         bytes_skip(&bytes, SDF_OLYMPUS_EXTRA);
-    double mark = missing_mark(header.type);
     for (size_t i = 0; i < points; i++) {
         double value = bytes_number(&bytes, type);
-        out->z_m[i] = value == mark ? NAN : value * header.z_scale;
+        out->z_m[i] = value == missing[type] ? NAN : value * header.z_scale;
     }
     return STATUS_OK;
 }

@@ -1,24 +1,24 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* ISO 5436-2 SMD: four records that end in ETX: header, remarks, heights, checksum; fields end in NUL. The header's
- * third line is `CX I n unit scale type increment`, the next (CY alike, and) `CZ A n unit scale type`.
- * Its forerunner, the text PRF of NPL and Taylor Hobson: `1 2`, a title, the axes CX and CZ of type M, EOR; remarks
- * with `SPACING CX s`, EOR; one integer a height, EOR, EOF. A height is integer x scale x unit. */
+/* ISO 5436-2 SMD: header, remarks, heights and checksum, four records that end in ETX; fields end in NUL. The header
+ * has from its third line on `CX I n unit scale type increment`, for a map CY, and `CZ A n unit scale type`.
+ * Its predecessor, the text PRF of NPL and Taylor Hobson: `1 2`, a title, axes CX and CZ of type M, EOR; remarks with
+ * `SPACING CX s`, EOR; an integer for each height, EOR, EOF. A height is integer x scale x unit. */
 #include "scan/reader.h"
-#include "scan/string_view.h"
 
+#include <math.h>
 #include <string.h>
 
 static const char etx = 3;
 enum { NPL_SNIFF = 512 };
 
 struct axis {
-    char type; /* 'I' or 'M': evenly spaced, 'A': stored point by point */
+    char type; /* 'I' or 'M': evenly spaced; 'A': stored point by point */
     double n;
     struct scan_unit unit; /* name NULL: there is no such axis */
     double scale, increment;
 };
 
-/* `CX I n unit scale type increment`, what is behind the name. */
+/* What follows the name in `CX I n unit scale type increment`. */
 static bool read_axis(struct axis *axis, struct string_view line)
 {
     struct string_view word[6];
@@ -39,7 +39,7 @@ bool scan_smd_sniff(const struct scan_file *file)
     return string_view_starts(scan_view(file), "ISO 5436") && memchr(file->bytes, etx, file->length) != NULL;
 }
 
-/* The next record of `rest`, without its ETX and the line end behind that. */
+/* Cuts the next record, without its ETX, off `rest`. */
 static struct string_view next_record(struct string_view *rest)
 {
     struct string_view record = *rest;
@@ -56,7 +56,7 @@ static enum status_code read_header(struct axis axis[3], struct string_view head
         struct string_view field;
         char blank[256];
         size_t length = string_view_length(line) < sizeof blank ? string_view_length(line) : sizeof blank;
-        for (size_t i = 0; i < length; i++) /* NUL separates fields, too */
+        for (size_t i = 0; i < length; i++) /* fields end in NUL */
             blank[i] = line.start[i] ? line.start[i] : ' ';
         line = (struct string_view){blank, blank + length};
         if (lines.number < 3 || !scan_word(&line, &field) || string_view_length(field) != 2 || *field.start != 'C')
@@ -84,7 +84,7 @@ enum status_code scan_smd_read(struct scan *out, const struct scan_file *file)
         return file->status->code;
     out->nx = (size_t)axis[0].n;
     out->ny = axis[1].unit.name ? (size_t)axis[1].n : 1;
-    if (scan_take_text(out, heights, axis[2].scale * axis[2].unit.si, NULL, file) != STATUS_OK)
+    if (scan_take_text(out, heights, axis[2].scale * axis[2].unit.si, INFINITY, NULL, file) != STATUS_OK)
         return file->status->code;
     out->dx_m = axis[0].increment * axis[0].scale * axis[0].unit.si;
     out->dy_m = axis[1].increment * axis[1].scale * axis[1].unit.si;
@@ -126,8 +126,7 @@ enum status_code scan_npl_prf_read(struct scan *out, const struct scan_file *fil
                          "no CX, CZ or `SPACING CX` above the heights: only evenly spaced PRF profiles can be read");
     struct string_view data = {lines.next, lines.end};
     out->nx = (size_t)z.n;
-    out->ny = 1;
-    if (scan_take_text(out, data, z.scale * z.unit.si, "EOR", file) != STATUS_OK)
+    if (scan_take_text(out, data, z.scale * z.unit.si, INFINITY, "EOR", file) != STATUS_OK)
         return file->status->code;
     out->dx_m = spacing * x.scale * x.unit.si;
     scan_set_units(out, x.unit.name, z.unit.name);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Digital Surf SUR (surfaces) and PRO (profiles): a header of 512 bytes, remarks, and 16 or 32-bit integers, perhaps
- * compressed by zlib in several streams. z = integer x step + offset in the unit of the step. */
+/* Digital Surf SUR (surfaces) and PRO (profiles): a header of 512 bytes, remarks, and integers of 16 or 32 bits,
+ * perhaps compressed by zlib in several streams. z = integer x step + offset, in the unit of the step. */
 #include "base/limits.h"
 #include "scan/reader.h"
 
@@ -37,8 +37,8 @@ static void read_header(struct sur_header *header, const struct scan_file *file)
         scan_copy(header->unit[axis], sizeof header->unit[axis], bytes_text(&units, SUR_UNIT));
 }
 
-/* Inflates the streams behind `bytes`: their number, the two sizes (inflated, deflated) of each, the streams. What the
- * heights take, `most` bytes, and the file's own size bound what is allocated. */
+/* Unpacks the streams: their number, the two sizes (unpacked, packed) of each, the streams. No more is allocated than
+ * the heights take, `most` bytes, and than a file of this size can hold. */
 static enum status_code inflate_streams(char **data, size_t *size, struct bytes bytes, size_t most,
                                         const struct scan_file *file)
 {

@@ -1,10 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Golden Software Surfer's text grids, DSAA. They name no units; rows run from the lowest y on. Heights at or above the
- * blanking value are missing. */
+/* Golden Software Surfer's text grids, DSAA. They name no units; rows begin at the lowest y. Heights from the blanking
+ * value on are missing. */
 #include "scan/reader.h"
-#include "scan/string_view.h"
-
-#include <math.h>
 
 static const double surfer_blank = 1.70141e38;
 
@@ -21,10 +18,8 @@ enum status_code scan_surfer_read(struct scan *out, const struct scan_file *file
     out->nx = (size_t)head[0];
     out->ny = (size_t)head[1];
     if (scan_units(out, NULL, NULL, &x_m, &z_m, file) != STATUS_OK ||
-        scan_take_text(out, text, 1.0, NULL, file) != STATUS_OK)
+        scan_take_text(out, text, z_m, surfer_blank * (1 - 1e-6), NULL, file) != STATUS_OK)
         return file->status->code;
-    for (size_t i = 0; i < out->nx * out->ny; i++)
-        out->z_m[i] = out->z_m[i] >= surfer_blank * (1 - 1e-6) ? NAN : out->z_m[i] * z_m;
     out->dx_m = out->nx > 1 ? (head[3] - head[2]) / (double)(out->nx - 1) * x_m : 0;
     out->dy_m = out->ny > 1 ? (head[5] - head[4]) / (double)(out->ny - 1) * x_m : 0;
     return STATUS_OK;

@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Text scans: x and z, perhaps with an index or other columns beside them; heights below a line that names the spacing;
- * and maps: x y z lists on a grid, and matrices of heights with their pixel size. */
+/* Scans as text: columns x and z, perhaps with others beside them; heights alone below a line that names the spacing;
+ * maps, as a list x y z on a grid or as a matrix of heights with its pixel size. */
 #include "base/limits.h"
 #include "scan/reader.h"
-#include "scan/string_view.h"
 #include "scan/text_header.h"
 
 #include <ctype.h>
@@ -16,35 +15,26 @@ enum {
     TEXT_MOST_COLUMNS = 8 /* of numbers beside x; more are a map */
 };
 
-/* The numbers of a text file: rows of one or more columns, with whatever lines stand above them. */
+/* The numbers of a text file in rows and columns, and what the lines above them say. */
 struct table {
     struct string_view text; /* the file without byte order mark and end-of-file marks */
-    char delimiter;          /* ',' ';' '\t' or ' ' (any run of blanks) */
+    char delimiter;          /* ',' ';' '\t' or ' ' (any number of blanks) */
     size_t rows, columns;
     double *cell;                 /* rows x columns */
-    size_t first_line, last_line; /* where the rows are, counted from 1 */
-    struct text_header header;    /* of the preamble */
-    size_t other_line;            /* of the first comment header below the first row; 0: none */
-    struct string_view other;     /* what it says */
-    size_t others;                /* blocks of rows below such headers, which are not read */
+    size_t first_line, last_line; /* of the rows, from 1 */
+    struct text_header header;
+    size_t other_line;        /* of the first comment header below the first row; 0: none */
+    struct string_view other; /* what it says */
+    size_t others;            /* blocks of rows below such headers, which are not read */
     const struct scan_file *file;
 };
 
-/* Text that goes by another name. */
-static const struct {
-    const char *start, *name;
-} text_names[] = {
-    {"Scan Parameters", "dektak"}, /* Bruker CSV: keys, titles with units, x and z */
-    {"X;Y;valid", "hommel"},       /* x, z and 1 where the point is valid */
-};
-
-/* The file's name among those, else `other`. */
+/* The name of the format, by how the file begins; else `other`. */
 static const char *name_of(const struct scan_file *file, const char *other)
 {
-    for (size_t i = 0; i < sizeof text_names / sizeof *text_names; i++)
-        if (string_view_starts(scan_view(file), text_names[i].start))
-            return text_names[i].name;
-    return other;
+    if (string_view_starts(scan_view(file), "Scan Parameters")) /* Bruker CSV: keys, titles with units, x and z */
+        return "dektak";
+    return string_view_starts(scan_view(file), "X;Y;valid") ? "hommel" : other; /* x, z, 1 where the point is valid */
 }
 
 bool scan_text_sniff(const struct scan_file *file)
@@ -56,15 +46,14 @@ bool scan_text_sniff(const struct scan_file *file)
 struct row {
     double *cell; /* room for `room` numbers, or NULL just to count */
     size_t room;
-    size_t count;           /* cells met, trailing empty ones aside */
-    unsigned decimal;       /* decimal signs met */
-    struct string_view bad; /* the first cell that is no finite number */
-    size_t numbers;         /* cells that are numbers */
-    const struct scan_options
-        *wanted; /* columns that the scene chooses, both; others may hold text; NULL: it does not */
+    size_t count;                      /* cells so far, without empty ones at the end */
+    unsigned decimal;                  /* decimal signs so far */
+    struct string_view bad;            /* the first cell that is no finite number */
+    size_t numbers;                    /* cells that are numbers */
+    const struct scan_options *wanted; /* where the scene chooses x and z: other columns may hold text; else NULL */
 };
 
-/* Has `row`, as wide as the table, room for an empty cell: a point that was not measured? */
+/* Adds an empty cell, a point that was not measured; false where the row is full. */
 static bool take_blank(struct row *row)
 {
     if (row->count >= row->room)
@@ -73,14 +62,14 @@ static bool take_blank(struct row *row)
     return true;
 }
 
-/* Reads the cells of `line`; false at the first that is no number. In a row of known width empty cells are points that
- * were not measured, and what stands behind its last cell may be empty. */
+/* Reads the cells of `line`; false at the first that is no number. Where the number of columns is known, empty cells
+ * are points that were not measured, and cells beyond the last column may be empty. */
 static bool read_row(struct row *row, struct string_view line, char delimiter)
 {
     /* in a file separated by commas a comma is no decimal sign */
     unsigned allowed = delimiter == ',' ? NUMBER_POINT : NUMBER_POINT | NUMBER_COMMA;
     size_t cells = 0;
-    bool open = delimiter != ' ' && line.end > line.start && line.end[-1] == delimiter; /* an empty cell behind it */
+    bool open = delimiter != ' ' && line.end > line.start && line.end[-1] == delimiter; /* an empty cell at the end */
     row->count = 0;
     const char *start = line.start;
     for (struct string_view cell; cell_next(&line, delimiter, &cell); cells++) {
@@ -93,7 +82,7 @@ static bool read_row(struct row *row, struct string_view line, char delimiter)
         row->numbers += good ? 1 : 0;
         if (!good && row->wanted && cells + 1 != row->wanted->z_column && cells + 1 != row->wanted->x_column)
             good = true; /* text in a column that was not chosen: a time, a name */
-        /* a line of stars above the numbers is none of them */
+        /* stars are a missing point, but not a line of them above the numbers */
         if (!good && scan_is_missing(cell) && (*cell.start != '*' || row->room > 0 || row->numbers > 0)) {
             value = NAN;
             good = true;
@@ -113,14 +102,14 @@ static bool read_row(struct row *row, struct string_view line, char delimiter)
     return row->count > 0;
 }
 
-/* The columns that are chosen, where they are two. */
+/* The scene's choice, if it chooses x and z. */
 static const struct scan_options *wanted_of(const struct scan_file *file)
 {
     return file->options && file->options->z_column > 0 && file->options->x_column > 0 ? file->options : NULL;
 }
 
-/* The delimiter with which `line` is a row of numbers; 0 when it is none. "0,5 1,2" has blanks between decimal commas;
- * "0,5" is two columns, since a single column with decimal commas cannot be told from that. */
+/* The delimiter that makes `line` a row of numbers; 0: it is none. "0,5 1,2" are two numbers with decimal commas; "0,5"
+ * counts as two columns, for nothing says that it is one number. */
 static char find_delimiter(struct string_view line, const struct scan_file *file, size_t *columns)
 {
     static const struct {
@@ -184,8 +173,8 @@ static enum status_code fail_line(const struct table *table, size_t number, stru
                      limit_words(LIMIT_LINE_BYTES).text);
 }
 
-/* Is `content`, a comment below the first row, a line of a header, and neither a remark nor a row taken out: has it a
- * key or a unit? */
+/* Does the comment `content`, below the first row, have a key or a unit? Then it is a header, else a remark or a row
+ * that somebody took out. */
 static bool is_header(struct string_view content)
 {
     bool comment;
@@ -199,20 +188,25 @@ static bool is_header(struct string_view content)
     return text_header_add(&said, content) || said.spacing.value > 0;
 }
 
-/* Does a row of numbers follow in `lines`, behind comments and blank lines? */
-static bool rows_follow(struct lines lines, const struct scan_file *file)
+/* The next line that is neither blank nor a comment; false behind the last one. */
+static bool next_content(struct lines *lines, struct string_view *line)
 {
-    size_t columns;
-    for (struct string_view line; lines_next(&lines, &line);) {
-        bool comment;
-        struct string_view content = text_header_uncomment(line, &comment);
-        if (!comment && content.start < content.end)
-            return find_delimiter(line, file, &columns) != 0;
-    }
-    return false;
+    bool comment = true;
+    struct string_view content = {NULL, NULL};
+    while ((comment || content.start == content.end) && lines_next(lines, line))
+        content = text_header_uncomment(*line, &comment);
+    return !comment && content.start < content.end;
 }
 
-/* Does the comment `content` begin another block? Then what blocks there are is kept for a note. */
+/* Columns of the next such line, 0 where it is no row of numbers or there is none. */
+static size_t columns_below(struct lines lines, const struct scan_file *file)
+{
+    struct string_view line;
+    size_t columns;
+    return next_content(&lines, &line) && find_delimiter(line, file, &columns) ? columns : 0;
+}
+
+/* Does the comment `content` begin another block of rows? Then the blocks are counted, for a note. */
 static bool ends_block(struct table *table, struct string_view content, struct lines lines)
 {
     bool comment;
@@ -220,7 +214,7 @@ static bool ends_block(struct table *table, struct string_view content, struct l
         return false;
     table->other = text_header_uncomment(content, &comment);
     table->other_line = lines.number;
-    if (!rows_follow(lines, table->file))
+    if (columns_below(lines, table->file) == 0)
         return false; /* a footer */
     table->others = 1;
     bool rows = false;
@@ -229,13 +223,13 @@ static bool ends_block(struct table *table, struct string_view content, struct l
         if (trimmed.start == trimmed.end)
             continue;
         bool header = is_comment(table, trimmed) && is_header(trimmed);
-        table->others += header && rows && rows_follow(lines, table->file) ? 1 : 0;
+        table->others += header && rows && columns_below(lines, table->file) > 0 ? 1 : 0;
         rows = !header && (rows || !is_comment(table, trimmed));
     }
     return true;
 }
 
-/* The rows from `lines` on; the first is there already known to be one. */
+/* Reads the rows from `lines` on, of which the first is known to be one. */
 static enum status_code read_rows(struct table *table, struct lines lines)
 {
     size_t cells = limit_most(LIMIT_CELLS) / table->columns, points = limit_most(LIMIT_POINTS);
@@ -278,58 +272,47 @@ static enum status_code read_rows(struct table *table, struct lines lines)
     return STATUS_OK;
 }
 
-/* Is `line`, which stands right above the first row, a row with a damaged cell? It begins with a number, unlike titles
- * and keys. Between blanks anything may stand there (`4000 points`). */
+/* Is `line`, right above the first row, a row with a damaged cell? Unlike titles and keys it begins with a number.
+ * Words between blanks tell nothing (`4000 points`). */
 static bool is_damaged_row(const struct table *table, struct string_view line, struct row *row)
 {
     struct string_view rest = line, cell;
-    size_t cells = 0;
+    size_t cells = 1;
     double value;
     if (table->delimiter == ' ' || !cell_next(&rest, table->delimiter, &cell) || !number_read(cell, &value))
         return false;
-    for (rest = line; cell_next(&rest, table->delimiter, &cell);)
+    while (cell_next(&rest, table->delimiter, &cell))
         cells++;
     return cells == table->columns && table->columns > 1 && !read_row(row, line, table->delimiter);
 }
 
-/* Is `content` nothing but how many rows follow? `lines` goes on with the next line, which then has more columns. */
+/* Does `content` say only how many rows follow? Then the row below it has more columns. */
 static bool is_count(size_t *announced, struct string_view content, struct lines lines, const struct scan_file *file)
 {
-    size_t columns = 0;
     while (content.end > content.start && strchr(",;", content.end[-1]))
         content.end--;
-    if (!number_read_size(content, announced))
-        return false;
-    for (struct string_view line; lines_next(&lines, &line);) {
-        bool comment;
-        struct string_view next = text_header_uncomment(line, &comment);
-        if (!comment && next.start < next.end)
-            return find_delimiter(line, file, &columns) && columns > 1;
-    }
-    return false;
+    return number_read_size(content, announced) && columns_below(lines, file) > 1;
 }
 
-/* Is `line` of `text`, which is no row of numbers yet, farther down than a header goes? */
+/* Is `line` of `text` farther down than a header may go? */
 static bool is_too_deep(struct string_view text, struct string_view line)
 {
     return (size_t)(line.start - text.start) > limit_most(LIMIT_HEADER_BYTES);
 }
 
-/* Has a line one column of text or more, and two of numbers beside it? From 1 the first of either. */
-static bool has_text_and_numbers(struct string_view line, size_t *text, size_t *first, size_t *second)
+/* Has a line a column of text and two of numbers? `found` are these columns, from 1. */
+static bool has_text_and_numbers(size_t found[3], struct string_view line)
 {
     static const char delimiters[] = "\t;,";
     for (size_t d = 0; delimiters[d]; d++) {
         struct string_view rest = line, cell;
-        size_t at = 0;
-        *text = *first = *second = 0;
-        while (cell_next(&rest, delimiters[d], &cell)) {
-            double value;
-            const bool number = number_read(cell, &value);
-            at++;
-            *(number ? *first == 0 ? first : *second == 0 ? second : &at : *text == 0 ? text : &at) = at;
+        double value;
+        found[0] = found[1] = found[2] = 0;
+        for (size_t column = 1; cell_next(&rest, delimiters[d], &cell); column++) {
+            size_t k = !number_read(cell, &value) ? 0 : found[1] == 0 ? 1 : 2;
+            found[k] = found[k] == 0 ? column : found[k];
         }
-        if (*text > 0 && *second > 0)
+        if (found[0] > 0 && found[2] > 0)
             return true;
     }
     return false;
@@ -378,12 +361,12 @@ static enum status_code read_table(struct table *table)
                              announced, table->rows);
         return table->file->status->code;
     }
-    size_t text = 0, first = 0, second = 0;
-    if (above.start && has_text_and_numbers(above, &text, &first, &second))
+    size_t found[3]; /* text, x, z */
+    if (above.start && has_text_and_numbers(found, above))
         return scan_fail(table->file, above_line,
                          "column %zu holds text; choose the columns of x and z, as with `--column %zu,%zu` or `column: "
                          "[%zu, %zu]` in a scene",
-                         text, first, second, first, second);
+                         found[0], found[1], found[2], found[1], found[2]);
     return scan_fail(table->file, 0, "no line of numbers in it: not a scan");
 }
 
@@ -392,13 +375,9 @@ bool scan_text_has_numbers(const struct scan_file *file)
     size_t columns;
     struct string_view text = text_of(file);
     struct lines lines = lines_begin(text);
-    for (struct string_view line; lines_next(&lines, &line) && !is_too_deep(text, line);) {
-        bool comment;
-        struct string_view content = text_header_uncomment(line, &comment);
-        if (!comment && content.start < content.end && string_view_length(line) <= limit_most(LIMIT_LINE_BYTES) &&
-            find_delimiter(line, file, &columns))
+    for (struct string_view line; next_content(&lines, &line) && !is_too_deep(text, line);)
+        if (string_view_length(line) <= limit_most(LIMIT_LINE_BYTES) && find_delimiter(line, file, &columns))
             return true;
-    }
     return false;
 }
 
@@ -424,11 +403,12 @@ static double at(const struct table *table, size_t row, size_t column)
     return table->cell[row * table->columns + column];
 }
 
-/* Values instruments write where they measured nothing (-25400 um is one inch below). They count as missing only where
- * every other height is far smaller. */
+/* Heights that instruments write where they measured nothing (-25400 um is one inch down). They count as missing only
+ * where every other height is this many times smaller. */
 static const double sentinels[] = {-25400, -32768, -99999, -9999, 9999, 99999, 1e10, -2147483648.0};
 static const double sentinel_distance = 4;
-/* Any other is one where it comes again and lies so many times the range of all others away from them. */
+/* Any other height counts as missing where it is repeated and this many times the range of the others away from them.
+ */
 static const double gap_distance = 20;
 static const double gap_share = 0.1; /* of the points, at most */
 
@@ -437,7 +417,13 @@ static bool is_mark(double height, double mark)
     return fabs(height - mark) <= 1e-12 * fabs(mark);
 }
 
-/* An extreme height (`highest` or lowest) that comes again and lies far off all others. */
+static void take_out(struct scan *out, double mark)
+{
+    for (size_t i = 0; i < out->nx * out->ny; i++)
+        out->z_m[i] = is_mark(out->z_m[i], mark) ? NAN : out->z_m[i];
+}
+
+/* The highest or the lowest height, where it is repeated and far from all others. */
 static void mark_gap(struct scan *out, bool highest)
 {
     const size_t points = out->nx * out->ny;
@@ -453,51 +439,38 @@ static void mark_gap(struct scan *out, bool highest)
     const double range = others[1] - others[0], apart = highest ? extreme - others[1] : others[0] - extreme;
     if (found < 2 || (double)found > gap_share * (double)points || !(range > 0 && apart > gap_distance * range))
         return;
-    for (size_t i = 0; i < points; i++)
-        out->z_m[i] = out->z_m[i] == extreme ? NAN : out->z_m[i];
+    take_out(out, extreme);
     scan_warn(out, "a height of %g %s, %zu times, lies over %g times the range of all others away: taken as missing",
               extreme / scan_unit_m(out->z_unit), out->z_unit, found, gap_distance);
 }
 
-static void mark_gaps(struct scan *out)
+static void mark_missing(struct scan *out)
 {
+    const double z_m = scan_unit_m(out->z_unit);
+    for (size_t k = 0; k < sizeof sentinels / sizeof *sentinels; k++) {
+        double mark = sentinels[k] * z_m;
+        size_t found = 0, near = 0;
+        for (size_t i = 0; i < out->nx * out->ny; i++) {
+            bool is = is_mark(out->z_m[i], mark);
+            found += is ? 1 : 0;
+            near += !is && fabs(out->z_m[i]) * sentinel_distance > fabs(mark) ? 1 : 0;
+        }
+        if (found < (mark > 0 || mark < -1e6 * z_m ? 2 : 1) || near > 0)
+            continue;
+        take_out(out, mark);
+        scan_warn(out, "a height of %g %s stands for a missing point, %zu times", sentinels[k], out->z_unit, found);
+    }
     mark_gap(out, true);
     mark_gap(out, false);
 }
 
-static void mark_sentinels(struct scan *out)
-{
-    double z_m = scan_unit_m(out->z_unit), ends_m[2] = {0, 0};
-    size_t points = out->nx * out->ny;
-    for (size_t i = 0; i < points; i++) {
-        ends_m[0] = fmin(ends_m[0], out->z_m[i]);
-        ends_m[1] = fmax(ends_m[1], out->z_m[i]);
-    }
-    for (size_t k = 0; k < sizeof sentinels / sizeof *sentinels; k++) {
-        double mark = sentinels[k] * z_m;
-        size_t found = 0, near = 0;
-        if (mark < 0 ? ends_m[0] > mark / 2 : ends_m[1] < mark / 2)
-            continue;
-        for (size_t i = 0; i < points; i++) {
-            found += is_mark(out->z_m[i], mark) ? 1 : 0;
-            near += !is_mark(out->z_m[i], mark) && fabs(out->z_m[i]) * sentinel_distance > fabs(mark) ? 1 : 0;
-        }
-        if (found < (mark > 0 || mark < -1e6 * z_m ? 2 : 1) || near > 0)
-            continue;
-        for (size_t i = 0; i < points; i++)
-            out->z_m[i] = is_mark(out->z_m[i], mark) ? NAN : out->z_m[i];
-        scan_warn(out, "a height of %g %s stands for a missing point, %zu times", sentinels[k], out->z_unit, found);
-    }
-    mark_gaps(out);
-}
-
-/* Column out->z_column from row `first` on, in the table's place, and with it the positions in out->x_column, if there
- * are any. A point that the header's column `valid` marks by 0 is missing. */
+/* Takes the heights of column out->z_column from row `first` on, and the positions of out->x_column if there is one.
+ * The heights stay in the table's memory. Points with 0 in the header's column `valid` are missing. */
 static enum status_code take_columns(struct scan *out, struct table *table, size_t first, double x_m, double z_m)
 {
     size_t n = table->rows - first, columns = table->columns, valid = table->header.valid;
     struct text *spent = table->file->options->spent;
-    if (spent && spent->data == table->file->bytes && !out->units_lacking) /* else a sidecar's may be read with them */
+    if (spent && spent->data == table->file->bytes && !out->units_lacking) /* else a sidecar may make it read again */
         text_free(spent);
     if (out->x_column > 0 && !(out->x_m = malloc(n * sizeof *out->x_m)))
         return status_memory(table->file->status);
@@ -515,20 +488,11 @@ static enum status_code take_columns(struct scan *out, struct table *table, size
 }
 
 /* Accretech and Surfcom write the length in mm and the number of heights above the heights in um. */
-static bool is_accretech(const struct table *table)
-{
-    return table->rows >= TEXT_POINTS + 2 && table->cell[0] > 0 && table->cell[1] == (double)(table->rows - 2);
-}
-
-static bool is_given(const char *text)
-{
-    return text && *text;
-}
-
 static enum status_code take_accretech(struct scan *out, struct table *table)
 {
     double x_m, z_m;
-    bool x_given = is_given(table->file->options->x_unit), z_given = is_given(table->file->options->z_unit);
+    const struct scan_options *scene = table->file->options;
+    bool x_given = scene->x_unit && *scene->x_unit, z_given = scene->z_unit && *scene->z_unit;
     if (scan_units(out, x_given ? "" : "mm", z_given ? "" : "um", &x_m, &z_m, table->file) != STATUS_OK)
         return table->file->status->code;
     out->format = "accretech";
@@ -539,7 +503,7 @@ static enum status_code take_accretech(struct scan *out, struct table *table)
     return take_columns(out, table, 2, x_m, z_m);
 }
 
-/* scan_units() with what the header says of out->x_column and out->z_column; `x_unit` (NULL: none) goes before that. */
+/* scan_units() with what the header says of out->x_column and out->z_column; `x_unit`, where given, comes first. */
 static enum status_code take_units(struct scan *out, const struct table *table, const char *x_unit, double *x_m,
                                    double *z_m)
 {
@@ -549,8 +513,7 @@ static enum status_code take_units(struct scan *out, const struct table *table, 
     const size_t columns[] = {x_unit ? 0 : out->x_column, z_unit ? 0 : out->z_column};
     for (size_t i = 0; i < 2; i++)
         if (columns[i] > 0 && columns[i] <= TEXT_HEADER_COLUMNS && header->unknown[columns[i] - 1].start)
-            snprintf(out->unknown_unit[i], sizeof out->unknown_unit[i], "%.*s",
-                     (int)string_view_length(header->unknown[columns[i] - 1]), header->unknown[columns[i] - 1].start);
+            scan_copy(out->unknown_unit[i], sizeof out->unknown_unit[i], header->unknown[columns[i] - 1]);
     if (scan_units(out, x_unit, z_unit, x_m, z_m, table->file) != STATUS_OK)
         return table->file->status->code;
     if (header->all_unit && x_unit == header->all_unit && z_unit == header->all_unit)
@@ -558,14 +521,7 @@ static enum status_code take_units(struct scan *out, const struct table *table, 
     return STATUS_OK;
 }
 
-/* Does the only column begin with how many heights follow, a whole number above others? */
-static bool begins_with_count(const struct table *table)
-{
-    return table->columns == 1 && table->rows > TEXT_POINTS && table->cell[0] == (double)(table->rows - 1) &&
-           table->cell[1] != round(table->cell[1]);
-}
-
-/* Refuses a length of which two lines of the header say different things. */
+/* Refuses a length that two lines of the header name differently. */
 static enum status_code check_said_once(const struct table *table, const struct text_quantity *said, const char *what)
 {
     if (said->other == 0)
@@ -579,31 +535,25 @@ static enum status_code check_said_once(const struct table *table, const struct 
 /* Column `z` alone, at the spacing that the header names. */
 static enum status_code take_heights(struct scan *out, struct table *table, size_t z)
 {
+    const struct text_quantity *spacing = &table->header.spacing;
+    const double *cell = table->cell;
+    size_t rows = table->columns == 1 ? table->rows : 0; /* where the first ones may be none */
     double x_m, z_m;
     out->z_column = z + 1;
-    if (table->columns == 1 && table->header.spacing.value <= 0 && is_accretech(table))
+    if (spacing->value <= 0 && rows >= TEXT_POINTS + 2 && cell[0] > 0 && cell[1] == (double)(rows - 2))
         return take_accretech(out, table);
-    if (table->header.spacing.value <= 0)
+    if (spacing->value <= 0)
         return scan_fail(table->file, table->first_line,
                          "one column is heights only: no spacing; add a line `spacing 0.5 um` above the numbers, or a "
                          "column x");
-    if (check_said_once(table, &table->header.spacing, "spacings") != STATUS_OK ||
-        take_units(out, table, table->header.spacing.unit, &x_m, &z_m) != STATUS_OK)
+    if (check_said_once(table, spacing, "spacings") != STATUS_OK ||
+        take_units(out, table, spacing->unit, &x_m, &z_m) != STATUS_OK)
         return table->file->status->code;
-    out->dx_m = table->header.spacing.value * x_m;
-    size_t first = begins_with_count(table) ? 1 : 0;
-    if (first > 0)
-        scan_warn(out, "the first number, %zu, says how many heights follow", table->rows - first);
-    return take_columns(out, table, first, x_m, z_m);
-}
-
-static enum status_code fail_disorder(const struct table *table, size_t x, size_t bad)
-{
-    bool repeated = bad > 0 && at(table, bad, x) == at(table, bad - 1, x);
-    return scan_fail(table->file, line_of_row(table, bad), "x %s; x has to go one way: sort or remove points%s",
-                     repeated ? "is that of the point before" : "turns back",
-                     table->delimiter == ',' ? ", or separate the columns by semicolons if the commas are decimal signs"
-                                             : "");
+    out->dx_m = spacing->value * x_m;
+    bool counted = rows > TEXT_POINTS && cell[0] == (double)(rows - 1) && cell[1] != round(cell[1]);
+    if (counted)
+        scan_warn(out, "the first number, %zu, says how many heights follow", rows - 1);
+    return take_columns(out, table, counted ? 1 : 0, x_m, z_m);
 }
 
 /* The scan in columns `x` and `z`. */
@@ -622,7 +572,10 @@ static enum status_code take_points(struct scan *out, struct table *table, size_
     if (bad < rows && isnan(at(table, bad, x)))
         return scan_fail(table->file, line_of_row(table, bad), "no x here; fill it in or remove this line");
     if (bad < rows)
-        return fail_disorder(table, x, bad);
+        return scan_fail(
+            table->file, line_of_row(table, bad), "x %s; x has to go one way: sort or remove points%s",
+            bad > 0 && at(table, bad, x) == at(table, bad - 1, x) ? "is that of the point before" : "turns back",
+            table->delimiter == ',' ? ", or separate the columns by semicolons if the commas are decimal signs" : "");
     if (take_columns(out, table, 0, x_m, z_m) != STATUS_OK)
         return table->file->status->code;
     const char *unit = header->spacing.unit ? header->spacing.unit : out->x_unit;
@@ -638,16 +591,7 @@ static bool goes_one_way(const struct table *table, size_t column)
     return scan_disorder(table->cell + column, table->columns, table->rows) == table->rows;
 }
 
-static bool counts_up(const struct table *table)
-{
-    double first = table->cell[0];
-    for (size_t i = 0; i < table->rows; i++)
-        if (at(table, i, 0) != first + (double)i)
-            return false;
-    return first == 0 || first == 1;
-}
-
-/* Does the first column have even steps, or what rounding to the last digit leaves of them? */
+/* Does the first column have equal steps, apart from rounding? */
 static bool has_even_steps(const struct table *table)
 {
     double first = table->cell[0], last = at(table, table->rows - 1, 0);
@@ -667,16 +611,8 @@ static bool counts(const struct table *table)
     return true;
 }
 
-/* Where the first column counts and has no unit, the first with a unit that goes one way; else the first. */
-static size_t find_x_of_counter(const struct table *table)
-{
-    for (size_t c = 1; c < table->columns && c < TEXT_HEADER_COLUMNS && counts(table); c++)
-        if (table->header.unit[c] && goes_one_way(table, c))
-            return c;
-    return 0;
-}
-
-/* The column that is x: the first, unless that counts the points, or is the only one of three without a unit. */
+/* The column that is x: the first, unless that counts the points (then the first one with a unit that goes one way) or
+ * is the only one of three without a unit. */
 static size_t find_x(const struct table *table)
 {
     const struct text_header *header = &table->header;
@@ -684,12 +620,17 @@ static size_t find_x(const struct table *table)
         header->unit[0] || (table->file->options->sidecar && table->file->options->sidecar->header.unit[0]);
     if (table->columns < 3 || header->valid <= 2 || first_named)
         return 0;
-    if (!goes_one_way(table, 1))
-        return find_x_of_counter(table);
-    return (header->unit[1] && header->unit[2]) || counts_up(table) ? 1 : 0;
+    if (goes_one_way(table, 1)) {
+        bool from_start = table->cell[0] == 0 || table->cell[0] == 1;
+        return (header->unit[1] && header->unit[2]) || (from_start && counts(table)) ? 1 : 0;
+    }
+    for (size_t c = 1; c < table->columns && c < TEXT_HEADER_COLUMNS && counts(table); c++)
+        if (header->unit[c] && goes_one_way(table, c))
+            return c;
+    return 0;
 }
 
-/* Rows of heights? Where the header does not say so, only where the first column cannot be x. */
+/* Are the rows those of a map? Where the header does not say so, only if the first column cannot be x. */
 static bool is_matrix(const struct table *table)
 {
     const struct text_header *header = &table->header;
@@ -700,8 +641,8 @@ static bool is_matrix(const struct table *table)
     return said || (!has_even_steps(table) && (table->columns > TEXT_MOST_COLUMNS || !goes_one_way(table, 0)));
 }
 
-/* The columns that the scene chooses: z, and perhaps x. Where the header's x is z itself or no x at all, its spacing
- * will do. */
+/* The columns that the scene chooses: z, and perhaps x. Where there is no other column that can be x, the header's
+ * spacing is used. */
 static enum status_code take_chosen(struct scan *out, struct table *table)
 {
     const size_t columns = table->columns;
@@ -723,12 +664,11 @@ static enum status_code take_chosen(struct scan *out, struct table *table)
 
 enum { LIST_COLUMNS = 3 };
 
-/* How far a point may be off its place, in steps: instruments jitter. And relative to where it is: Gwyddion exports
- * five digits, those of the point and of the two that its place is computed from; but never so far that steps would
- * differ. */
+/* How far a point may be off its place on the grid: in steps, for instruments jitter, plus a share of its coordinate,
+ * for Gwyddion exports five digits; at most so many steps. */
 static const double grid_jitter = 0.01, grid_rounding = 1e-4, grid_most = 0.25;
 
-/* One of the two directions of a list: the fast one steps from point to point, the slow one from run to run. */
+/* One of the two directions of a list: the fast one steps from point to point, the slow one from line to line. */
 struct direction {
     size_t column; /* 0 x, 1 y */
     size_t n;
@@ -749,7 +689,7 @@ static void find_directions(const struct table *table, struct direction *fast, s
         slow->n > 1 ? (at(table, (slow->n - 1) * fast->n, slow->column) - slow->first) / (double)(slow->n - 1) : 0.0;
 }
 
-/* Do the three columns look like x, y, z point by point: does one of x and y stay while the other steps? */
+/* Are the three columns x, y and z: does one of x and y stay while the other steps? */
 static bool is_list(const struct table *table)
 {
     if (table->columns != LIST_COLUMNS || table->rows < 4)
@@ -759,7 +699,7 @@ static bool is_list(const struct table *table)
         return false;
     struct direction fast, slow;
     find_directions(table, &fast, &slow);
-    /* the second run starts where the first did; two equal heights in a row do not make a list */
+    /* the second line starts where the first did; two equal heights in a row do not make a list */
     return slow.n < 2 || fabs(at(table, fast.n, fast.column) - fast.first) <= grid_jitter * fabs(fast.step);
 }
 
@@ -771,7 +711,7 @@ static bool on_grid(const struct table *table, size_t row, const struct directio
                1e-12 * fabs(direction->first);
 }
 
-/* Where a point goes along a direction of the map: forwards, whichever way the instrument went. */
+/* A point's index in the map, which ascends whichever way the instrument went. */
 static size_t place(const struct direction *direction, size_t index)
 {
     return direction->step < 0 ? direction->n - 1 - index : index;
@@ -791,7 +731,7 @@ static enum status_code take_list(struct scan *out, const struct table *table)
         return table->file->status->code;
     const char *y_unit = table->header.unit[1] ? table->header.unit[1] : table->header.y_unit;
     double y_m = y_unit ? scan_unit_m(y_unit) : x_m;
-    bool along_x = fast.column == 0 || slow.n == 1; /* one run is a profile, wherever it goes */
+    bool along_x = fast.column == 0 || slow.n == 1; /* one line is a profile, whichever way it goes */
     const struct direction *x = along_x ? &fast : &slow, *y = along_x ? &slow : &fast;
     if (scan_reserve(out, x->n, y->n, table->rows, table->file) != STATUS_OK)
         return table->file->status->code;
@@ -803,12 +743,12 @@ static enum status_code take_list(struct scan *out, const struct table *table)
         size_t ix = place(x, along_x ? f : s), iy = place(y, along_x ? s : f);
         out->z_m[iy * x->n + ix] = at(table, row, 2) * z_m;
     }
-    out->dx_m = fabs(x->step) * (x->column == 0 ? x_m : y_m); /* one run may go along y */
+    out->dx_m = fabs(x->step) * (x->column == 0 ? x_m : y_m); /* one line may go along y */
     out->dy_m = fabs(y->step) * y_m;
     return STATUS_OK;
 }
 
-/* Are the two lengths of the header width and height? By Gwyddion's order of lines, or by square pixels. */
+/* Are the two lengths of the header width and height: in Gwyddion's order of lines, or with square pixels? */
 static bool are_extents(const struct table *table, const struct text_quantity *length)
 {
     static const double square = 0.02;
@@ -867,7 +807,7 @@ static enum status_code take_table(struct scan *out, struct table *table)
     if (table->columns == 1)
         return take_heights(out, table, 0);
     size_t x = find_x(table);
-    if (x > 1) /* behind a counter: the heights are the first other column with a unit */
+    if (x > 1) /* after a counter: the heights are the first other column with a unit */
         for (size_t c = 1; c < table->columns && c < TEXT_HEADER_COLUMNS; c++)
             if (c != x && table->header.unit[c])
                 return take_points(out, table, x, c);
@@ -879,7 +819,7 @@ enum status_code scan_text_read(struct scan *out, const struct scan_file *file)
     struct table table = {.file = file};
     out->format = name_of(file, out->format);
     if (read_table(&table) == STATUS_OK && take_table(out, &table) == STATUS_OK) {
-        mark_sentinels(out);
+        mark_missing(out);
         if (table.others > 0)
             scan_warn(out,
                       "%zu more block%s of rows, the first below line %zu, '%s': only the first of the file was read; "

@@ -7,8 +7,8 @@
 
 const char scan_slope[] = "rad";
 
-/* Names of units in every spelling instruments write: more lenient than unit_read(), and whatever their case. */
-static const struct spelled_unit {
+/* Units in every spelling that instruments write, in any case: unit_read() takes fewer. */
+static const struct {
     struct scan_unit unit;
     const char *spellings; /* lower case, every mu as 'u', without plural s */
 } units[] = {
@@ -25,10 +25,9 @@ static const struct spelled_unit {
     {{"uin", 2.54e-8}, "uin uinch uinche microinch microinche"},
     {{scan_slope, 0},
      "rad radian mrad millirad milliradian urad microrad microradian nrad nanorad nanoradian deg degree \xC2\xB0 "
-     "arcmin "
-     "arcsec arcsecond m/m mm/mm um/um nm/nm mm/m um/mm nm/um um/m nm/mm nm/m"},
+     "arcmin arcsec arcsecond m/m mm/mm um/um nm/nm mm/m um/mm nm/um um/m nm/mm nm/m"},
 };
-static const struct spelled_unit *const units_end = units + sizeof units / sizeof *units;
+enum { UNITS = sizeof units / sizeof *units };
 
 struct scan_unit scan_unit_find(struct string_view name)
 {
@@ -40,9 +39,9 @@ struct scan_unit scan_unit_find(struct string_view name)
     struct string_view singular = string_view_of(spelling);
     if (string_view_length(singular) > 3 && (singular.end[-1] == 's' || singular.end[-1] == 'S'))
         singular.end--;
-    for (const struct spelled_unit *row = units; row < units_end; row++)
-        if (string_view_is_one_of(singular, row->spellings))
-            return row->unit;
+    for (size_t i = 0; i < UNITS; i++)
+        if (string_view_is_one_of(singular, units[i].spellings))
+            return units[i].unit;
     return (struct scan_unit){NULL, 0.0};
 }
 
@@ -53,8 +52,8 @@ double scan_unit_m(const char *name)
 
 const char *scan_unit_of(double factor)
 {
-    for (const struct spelled_unit *row = units; row < units_end; row++)
-        if (row->unit.si > 0 && fabs(factor - row->unit.si) <= 1e-9 * row->unit.si)
-            return row->unit.name;
+    for (size_t i = 0; i < UNITS; i++)
+        if (units[i].unit.si > 0 && fabs(factor - units[i].unit.si) <= 1e-9 * units[i].unit.si)
+            return units[i].unit.name;
     return NULL;
 }

@@ -1,17 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Wyko ASCII: `X Size`, `Y Size`, then blocks, one a line: name, type, length, value. Pixel_size is in mm, Wavelength
- * in nm; the heights below the block RAW_DATA are in waves, or in the unit that this line names; `Bad` is a gap. */
+/* Wyko ASCII: `X Size`, `Y Size`, then a line for each block: name, type, length, value. Pixel_size is in mm,
+ * Wavelength in nm; the heights below RAW_DATA are in waves, or in the unit in that line; `Bad` is a missing point. */
 #include "scan/reader.h"
-#include "scan/string_view.h"
 
 #include <math.h>
 
-bool scan_wyko_sniff(const struct scan_file *file)
-{
-    return string_view_starts(scan_view(file), "Wyko ASCII Data File Format");
-}
-
-/* Does `line` begin with `key`, of which a blank may be written as '_'? *rest gets what follows. */
+/* Does `line` begin with `key`, whose blanks may be written as '_'? *rest is what follows. */
 static bool has_key(struct string_view line, const char *key, struct string_view *rest)
 {
     for (; *key && line.start < line.end; key++, line.start++)
@@ -21,11 +15,11 @@ static bool has_key(struct string_view line, const char *key, struct string_view
     return *key == '\0' && (line.start == line.end || string_view_is_blank_char(*line.start));
 }
 
-/* The last word of `line`. */
-static struct string_view last_word(struct string_view line)
+/* The last word of `line`, and how many there are. */
+static struct string_view last_word(struct string_view line, double *count)
 {
     struct string_view word, last = {line.end, line.end};
-    while (cell_next(&line, ' ', &word))
+    for (*count = 0; cell_next(&line, ' ', &word); ++*count)
         last = word;
     return last;
 }
@@ -44,18 +38,9 @@ static struct string_view heights_of(struct lines lines)
     return text;
 }
 
-static double count_words(struct string_view line)
-{
-    struct string_view word;
-    double count = 0;
-    while (cell_next(&line, ' ', &word))
-        count++;
-    return count;
-}
-
 enum status_code scan_wyko_read(struct scan *out, const struct scan_file *file)
 {
-    double nx = 0, ny = 0, pixel_mm = 0, wave_nm = 0, aspect = 1;
+    double nx = 0, ny = 0, pixel_mm = 0, wave_nm = 0, aspect = 1, words;
     const struct {
         const char *key;
         double *number;
@@ -69,15 +54,15 @@ enum status_code scan_wyko_read(struct scan *out, const struct scan_file *file)
         heights = has_key(line, "RAW DATA", &rest);
         for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
             if (has_key(line, keys[i].key, &rest) &&
-                !(number_read(last_word(rest), keys[i].number) && *keys[i].number > 0))
+                !(number_read(last_word(rest, &words), keys[i].number) && *keys[i].number > 0))
                 return scan_fail(file, lines.number, "'%s' is no %s; correct this line",
-                                 scan_quote(last_word(rest)).text, keys[i].key);
+                                 scan_quote(last_word(rest, &words)).text, keys[i].key);
     }
     if (!heights)
         return scan_fail(file, 0, "no block RAW_DATA; export the heights with it");
     if (!(nx >= 1 && nx <= UINT32_MAX && ny >= 1 && ny <= UINT32_MAX))
         return scan_fail(file, 0, "no numbers of points in the lines X Size and Y Size");
-    const char *unit = scan_unit_find(last_word(rest)).name;
+    const char *unit = scan_unit_find(last_word(rest, &words)).name;
     double z_m = unit ? scan_unit_m(unit) : wave_nm * 1e-9;
     if (!(pixel_mm > 0 && z_m > 0))
         return scan_fail(file, 0, "no %s in the header; export the file with it",
@@ -85,12 +70,14 @@ enum status_code scan_wyko_read(struct scan *out, const struct scan_file *file)
     out->nx = (size_t)nx;
     out->ny = (size_t)ny;
     struct string_view text = heights_of(lines);
-    bool by_columns = nx > 1 && ny > 1 && nx != ny && lines_next(&lines, &line) && count_words(line) == ny;
-    if (by_columns) { /* a line holds a column of the map */
+    bool by_columns = nx > 1 && ny > 1 && nx != ny && lines_next(&lines, &line);
+    (void)last_word(line, &words);
+    by_columns = by_columns && words == ny; /* a line holds a column of the map */
+    if (by_columns) {
         out->nx = (size_t)ny;
         out->ny = (size_t)nx;
     }
-    if (scan_take_text(out, text, z_m, NULL, file) != STATUS_OK)
+    if (scan_take_text(out, text, z_m, INFINITY, NULL, file) != STATUS_OK)
         return file->status->code;
     out->dx_m = pixel_mm * 1e-3;
     out->dy_m = ny > 1 ? out->dx_m * aspect : 0;

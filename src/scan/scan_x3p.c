@@ -1,10 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* ISO 25178-72 X3P: a zip archive with main.xml (perhaps in a folder) and the points, all in metres, in main.xml or in
- * a binary file. Stored axes (kind A) lie side by side, point by point; a value is stored x increment + offset. */
+/* ISO 25178-72 X3P: a zip archive with main.xml (perhaps in a folder) and the points, in metres, in main.xml or in a
+ * binary file. Each point has the values of the stored axes (kind A); a coordinate is value x increment + offset. */
 #include "base/limits.h"
-#include "scan/archive.h"
 #include "scan/reader.h"
-#include "scan/string_view.h"
 
 #include <ctype.h>
 #include <expat.h>
@@ -36,7 +34,7 @@ struct x3p {
     char folder[256]; /* of main.xml, with its last '/' */
 };
 
-/* An archive with main.xml in it; of a damaged one just the name in its bytes tells. */
+/* Is it an archive with main.xml? In a damaged one that name counts wherever it stands. */
 bool scan_x3p_sniff(const struct scan_file *file)
 {
     struct archive archive;
@@ -51,17 +49,19 @@ bool scan_x3p_sniff(const struct scan_file *file)
     return found;
 }
 
-enum { X3P_DEPTH = 64, X3P_NAME = 32, X3P_TEXT = 256 }; /* that depth is what LIMIT_XML_DEPTH allows */
+enum { X3P_DEPTH = 64, X3P_NAME = 32, X3P_TEXT = 256 }; /* LIMIT_XML_DEPTH allows that depth */
 
 struct parse {
     struct main_xml *out;
     XML_Parser parser;
-    char name[X3P_DEPTH + 1][X3P_NAME]; /* of the open elements, from 1; none that is sought is longer */
-    size_t depth, elements;             /* open ones; all, with attributes */
+    char name[X3P_DEPTH + 1][X3P_NAME]; /* of the open elements, from 1; long ones are cut off */
+    size_t depth, elements;             /* open elements; all, with attributes */
     char text[X3P_TEXT];                /* of the innermost element */
     size_t length;
     const struct scan_file *file;
 };
+
+static const char export_again[] = "; export the scan again";
 
 static void stop(struct parse *parse, const char *problem, const char *remedy)
 {
@@ -69,8 +69,6 @@ static void stop(struct parse *parse, const char *problem, const char *remedy)
               problem, remedy);
     XML_StopParser(parse->parser, XML_FALSE);
 }
-
-static const char export_again[] = "; export the scan again";
 
 static void XMLCALL on_start(void *user, const XML_Char *name, const XML_Char **attributes)
 {
@@ -82,7 +80,7 @@ static void XMLCALL on_start(void *user, const XML_Char *name, const XML_Char **
     } else if (parse->elements > limit_most(LIMIT_XML_ELEMENTS)) {
         stop(parse, "too many elements", limit_words(LIMIT_XML_ELEMENTS).text);
     } else {
-        const char *colon = strrchr(name, ':'); /* the prefix of the name space is the writer's choice */
+        const char *colon = strrchr(name, ':'); /* whatever the prefix of the name space is */
         snprintf(parse->name[++parse->depth], X3P_NAME, "%s", colon ? colon + 1 : name);
         parse->length = 0;
     }
@@ -96,7 +94,7 @@ static void XMLCALL on_text(void *user, const XML_Char *text, int length)
     parse->length += count;
 }
 
-/* `value` or `value;value`: a stored x, if any, comes first and z last. An empty datum is a missing point. */
+/* `z` or `x;z`. An empty datum is a missing point. */
 static void add_datum(struct parse *parse, struct string_view text)
 {
     double point[2] = {0.0, NAN};
@@ -111,14 +109,13 @@ static void add_datum(struct parse *parse, struct string_view text)
     text_add_bytes(&parse->out->listed, (const char *)point, sizeof point);
 }
 
-/* Takes over the text of a leaf, by its name and that of the element around it; numbers that are missing or empty keep
- * what they were set to before. */
+/* Takes over the text of an element by its name and its parent's; an empty one changes nothing. */
 static void take_leaf(struct parse *parse, const char *parent, const char *name, struct string_view text)
 {
     struct main_xml *out = parse->out;
     const char *letter = parent[0] == 'C' && parent[1] && !parent[2] ? strchr("XYZ", parent[1]) : NULL;
     struct x3p_axis none = {0}, *axis = letter ? &out->axis[letter - "XYZ"] : &none;
-    const char *const own = letter ? parent : ""; /* of an axis, or no element's */
+    const char *const own = letter ? parent : ""; /* name of the axis */
     const struct {
         const char *parent, *name;
         char *string;
@@ -169,7 +166,7 @@ static void XMLCALL on_end(void *user, const XML_Char *name)
         take_leaf(parse, parent, own, text);
 }
 
-/* X3P has none, and what stands in one takes a parser's time: entities of entities, attributes for every element. */
+/* X3P has none, and one may be made to take a parser's time: entities of entities, attributes for every element. */
 static void XMLCALL on_doctype(void *user, const XML_Char *name, const XML_Char *system, const XML_Char *public,
                                int has_declarations)
 {
@@ -190,7 +187,7 @@ static enum status_code read_xml(struct main_xml *out, const struct text *xml, c
     XML_SetElementHandler(parse.parser, on_start, on_end);
     XML_SetCharacterDataHandler(parse.parser, on_text);
     XML_SetStartDoctypeDeclHandler(parse.parser, on_doctype);
-    /* in pieces, so that no tag is read whole that is too long */
+    /* in pieces, so that a tag that is too long is not read to its end */
     enum { PIECE = 65536 };
     enum XML_Status good = XML_STATUS_OK;
     for (size_t at = 0; good == XML_STATUS_OK && at <= xml->length; at += PIECE) {
@@ -245,7 +242,7 @@ static enum status_code open_main(struct x3p *x3p, const struct scan_file *file)
     return read_xml(&x3p->xml, &x3p->main, file);
 }
 
-/* Points a row and rows, checked to be what can be read. */
+/* Points in a row and rows; refuses what cannot be read. */
 static enum status_code read_size(const struct main_xml *xml, size_t *nx, size_t *ny, const struct scan_file *file)
 {
     bool profile = strcmp(xml->feature, "PRF") == 0;
@@ -272,7 +269,7 @@ static double scaled(const struct x3p_axis *axis, double value)
     return isfinite(result) ? result : NAN;
 }
 
-/* The types of the stored axes, and the bytes a point takes. */
+/* The types of the stored axes, and the bytes of a point. */
 static enum status_code find_types(enum bytes_type type[3], size_t *size, const struct x3p_axis axis[3],
                                    const struct scan_file *file)
 {
@@ -289,7 +286,7 @@ static enum status_code find_types(enum bytes_type type[3], size_t *size, const 
     return STATUS_OK;
 }
 
-/* The points, in the file that main.xml names or, where it names none, in main.xml itself. */
+/* Reads the points from the file that main.xml names or, if it names none, from main.xml. */
 static enum status_code read_values(struct scan *out, struct x3p *x3p, size_t nx, size_t ny,
                                     const struct scan_file *file)
 {
@@ -318,7 +315,7 @@ static enum status_code read_values(struct scan *out, struct x3p *x3p, size_t nx
     return STATUS_OK;
 }
 
-/* valid.bin: bit i, from the lowest of the first byte on, says whether point i was measured. */
+/* valid.bin: bit i, counted from the lowest of the first byte, says whether point i was measured. */
 static enum status_code read_valid(struct scan *out, struct x3p *x3p, const struct scan_file *file)
 {
     if (!*x3p->xml.valid_link)

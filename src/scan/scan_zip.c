@@ -1,15 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A zip archive that holds scans, as some instruments pack theirs: every entry that a reader knows by its content, or
- * that is a text with numbers, is one. options->entry is the index where the search starts. An entry that cannot be
- * read is refused where it comes, and the search goes on behind it. */
+/* A zip archive of scans: every entry that a reader knows by its content, or that is text with numbers, is one.
+ * options->entry is the index where the search starts. An entry that cannot be read is refused in its turn, and the
+ * search goes on behind it. */
 #include "base/limits.h"
-#include "base/text.h"
-#include "scan/archive.h"
 #include "scan/format.h"
 
 #include <stdint.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <zlib.h>
 
@@ -22,15 +19,15 @@ struct entry {
     struct scan_file file;
 };
 
-/* Is there nothing in the entry, or what an operating system leaves in archives? */
+/* Is the entry empty, or what an operating system leaves in archives? */
 static bool is_empty(const struct archive_entry *entry)
 {
     const char *slash = strrchr(entry->name, '/'), *own = slash ? slash + 1 : entry->name;
     return entry->size == 0 || *own == '\0' || *own == '.' || strncmp(entry->name, "__MACOSX/", 9) == 0;
 }
 
-/* Unpacks entry `index` and tells what it is. FORMAT_FOREIGN: it is damaged, or a measurement in a format that is not
- * read, and file->status says so. */
+/* Unpacks entry `index` and returns what it is. FORMAT_FOREIGN: damaged, or a format that is not read; file->status
+ * says which. */
 static enum format_kind open_entry(struct entry *out, const struct archive *archive, size_t index,
                                    const struct scan_file *file)
 {
@@ -47,25 +44,13 @@ static enum format_kind open_entry(struct entry *out, const struct archive *arch
     return format.kind == FORMAT_UNKNOWN || format.kind == FORMAT_PACKED ? FORMAT_OTHER : format.kind;
 }
 
-/* The entries that are no scans. */
-struct others {
-    size_t count;
-    char names[120]; /* of the first */
-};
-
-static void note_other(struct others *others, const char *name)
-{
-    size_t used = strlen(others->names);
-    if (others->count++ < ZIP_NAMED)
-        snprintf(others->names + used, sizeof others->names - used, "%s%.60s", used > 0 ? ", " : "", name);
-}
-
-/* Reads the first scan from options->entry on, and finds the next; at the start of the archive all are looked at, to
- * say which are none. */
+/* Reads the first scan from options->entry on, and finds the next. At the start of the archive it looks at all entries,
+ * to say which are no scans. */
 static enum status_code read_archive(struct scan *out, const struct archive *archive)
 {
     const struct scan_file *file = archive->file;
-    struct others others = {0};
+    size_t others = 0;    /* entries that are no scans */
+    char names[120] = ""; /* of the first of them */
     enum status_code code = STATUS_OK;
     bool found = false, all = file->options->entry == 0;
     for (size_t i = file->options->entry; i < archive->count && (all || out->next_entry == 0); i++) {
@@ -79,7 +64,9 @@ static enum status_code read_archive(struct scan *out, const struct archive *arc
         quiet.status = found ? &ignored : file->status;
         enum format_kind kind = open_entry(&entry, archive, i, &quiet);
         if (kind == FORMAT_OTHER) {
-            note_other(&others, name);
+            size_t used = strlen(names);
+            if (others++ < ZIP_NAMED)
+                snprintf(names + used, sizeof names - used, "%s%.60s", used > 0 ? ", " : "", name);
         } else if (!found) {
             found = true;
             snprintf(out->part, sizeof out->part, "%.100s", name);
@@ -93,38 +80,27 @@ static enum status_code read_archive(struct scan *out, const struct archive *arc
             return status_memory(file->status);
     }
     if (!found)
-        return scan_fail(file, 0, "no scan in this zip archive%s%s", others.count > 0 ? ", only " : "", others.names);
-    if (all && others.count > 0)
-        scan_warn(out, "passed over in the archive, no scan%s: %s%s", others.count == 1 ? "" : "s", others.names,
-                  others.count > ZIP_NAMED ? ", ..." : "");
+        return scan_fail(file, 0, "no scan in this zip archive%s%s", others > 0 ? ", only " : "", names);
+    if (all && others > 0)
+        scan_warn(out, "passed over in the archive, no scan%s: %s%s", others == 1 ? "" : "s", names,
+                  others > ZIP_NAMED ? ", ..." : "");
     return code;
 }
 
-static enum status_code read_zip(struct scan *out, const struct scan_file *file)
-{
-    struct archive archive;
-    if (archive_open(&archive, file) == STATUS_OK)
-        (void)read_archive(out, &archive);
-    archive_close(&archive);
-    return file->status->code;
-}
-
-/* Unpacks every member of a file packed by gzip (RFC 1952), which are one after another, into `text`. */
+/* Unpacks all members of a gzip file (RFC 1952), one after another, into `text`. */
 static enum status_code unpack_gz(struct text *text, const struct scan_file *file)
 {
     z_stream stream = {.next_in = (Bytef *)file->bytes};
     const char *end = file->bytes + file->length;
+    enum { PIECE = 16384 };
+    unsigned char piece[PIECE];
     int code = inflateInit2(&stream, 16 + MAX_WBITS); /* gzip's header */
-    bool ended = false;
     size_t most = limit_most(LIMIT_UNPACKED_BYTES), room = limit_unpacked(file->length);
     enum limit limit = room < most ? LIMIT_UNPACKED_RATIO : LIMIT_UNPACKED_BYTES;
     most = room < most ? room : most;
     if (code != Z_OK)
         return status_memory(file->status);
-    enum { PIECE = 65536 };
-    unsigned char *piece = malloc(PIECE);
-    text->failed = text->failed || !piece;
-    while (piece && (code == Z_OK || (code == Z_STREAM_END && (const char *)stream.next_in < end))) {
+    while (code == Z_OK || (code == Z_STREAM_END && (const char *)stream.next_in < end)) {
         size_t left = (size_t)(end - (const char *)stream.next_in);
         if (code == Z_STREAM_END && inflateReset(&stream) != Z_OK)
             break;
@@ -133,31 +109,17 @@ static enum status_code unpack_gz(struct text *text, const struct scan_file *fil
         stream.avail_out = PIECE;
         code = inflate(&stream, Z_NO_FLUSH);
         text_add_bytes(text, (const char *)piece, PIECE - stream.avail_out);
-        ended = code == Z_STREAM_END;
         if (text->failed || text->length > most || (left == 0 && stream.avail_out > 0))
             break;
     }
-    free(piece);
     inflateEnd(&stream);
     if (text->failed || code == Z_MEM_ERROR)
         return status_memory(file->status);
     if (text->length > most)
         return scan_fail(file, 0, "it unpacks to more than %zu bytes%s", most, limit_words(limit).text);
-    if (!ended)
+    if (code != Z_STREAM_END)
         return scan_fail(file, 0, "damaged or cut off within the gzip data; copy the file again");
     return STATUS_OK;
-}
-
-static enum status_code read_gz(struct scan *out, const struct scan_file *file)
-{
-    struct text text = {0};
-    enum status_code code = unpack_gz(&text, file);
-    const struct scan_file inner = {text.failed ? "" : text_string(&text), text.length, file->path, file->options,
-                                    file->status};
-    if (code == STATUS_OK)
-        code = format_read(out, &inner);
-    text_free(&text);
-    return code;
 }
 
 enum status_code scan_packed_read(struct scan *out, const struct scan_file *file)
@@ -167,5 +129,16 @@ enum status_code scan_packed_read(struct scan *out, const struct scan_file *file
     if (format.kind != FORMAT_PACKED)
         return format_read(out, file);
     out->format = format.name;
-    return strcmp(format.name, "zip") == 0 ? read_zip(out, file) : read_gz(out, file);
+    struct archive archive = {0};
+    struct text text = {0};
+    bool zip = strcmp(format.name, "zip") == 0;
+    enum status_code code = zip ? archive_open(&archive, file) : unpack_gz(&text, file);
+    if (code == STATUS_OK && zip)
+        code = read_archive(out, &archive);
+    else if (code == STATUS_OK)
+        code = format_read(
+            out, &(struct scan_file){text_string(&text), text.length, file->path, file->options, file->status});
+    archive_close(&archive);
+    text_free(&text);
+    return code;
 }

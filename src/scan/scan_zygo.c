@@ -1,12 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Zygo MetroPro text, `Zygo ASCII Data File` and `Zygo XYZ Data File`: a header of twelve lines, then blocks that end
- * in a line `#`. Of the header, from 1: line 4   first column, first row, columns and rows of the heights; line 8
- * source, scale factor S, wavelength W [m], aperture, obliquity O, magnification, lateral resolution [m], time; line 11
- * phase resolution: 0, 1, 2 for R = 4096, 32768, 131072. ASCII has a block of intensities, perhaps empty, and one of
- * phases: a height is phase S O W/R, and phases from 2147483640 on are missing. XYZ has lines `column row height`, in
- * micrometres or `No Data`. */
+ * in a line `#`. Header: line 4 first column, first row, columns, rows; line 8 source, scale factor S, wavelength W
+ * [m], aperture, obliquity O, magnification, lateral resolution [m], time; line 11 phase resolution: 0, 1, 2 for
+ * R = 4096, 32768, 131072. ASCII: a block of intensities, perhaps empty, and one of phases; a height is phase S O W/R,
+ * phases from 2147483640 on are missing. XYZ: lines `column row height`, in micrometres or `No Data`. */
 #include "scan/reader.h"
-#include "scan/string_view.h"
 
 #include <math.h>
 #include <string.h>
@@ -15,19 +13,7 @@ static const double phase_missing = 2147483640;
 static const double xyz_unit_m = 1e-6;
 enum { HEADER_LINES = 12, SIZE_LINE = 4, OPTICS_LINE = 8, PHASE_LINE = 11, FIELDS = 8 };
 
-static const char ascii_magic[] = "Zygo ASCII Data File", xyz_magic[] = "Zygo XYZ Data File";
-
-bool scan_zygo_sniff(const struct scan_file *file)
-{
-    return string_view_starts(scan_view(file), ascii_magic) || string_view_starts(scan_view(file), xyz_magic);
-}
-
-struct zygo_header {
-    size_t nx, ny;
-    double lateral_m, phase_m; /* height of one phase */
-};
-
-/* The numbers of a line of the header, from its first field; how many there are. */
+/* The numbers at the beginning of a line, and how many there are. */
 static size_t read_numbers(double out[FIELDS], struct string_view line)
 {
     struct string_view word;
@@ -42,7 +28,9 @@ static bool is_size(double value)
     return value >= 1 && value < 1e9 && value == floor(value);
 }
 
-static enum status_code read_header(struct zygo_header *out, struct lines *lines, const struct scan_file *file)
+/* The points, their spacing, and the height of one phase. */
+static enum status_code read_header(struct scan *out, double *phase_m, struct lines *lines,
+                                    const struct scan_file *file)
 {
     static const double resolutions[] = {4096, 32768, 131072};
     double scale = NAN;
@@ -50,22 +38,23 @@ static enum status_code read_header(struct zygo_header *out, struct lines *lines
     for (size_t n = 1; n <= HEADER_LINES && lines_next(lines, &line); n++) {
         double field[FIELDS] = {0};
         const size_t count = read_numbers(field, line);
-        if (n == SIZE_LINE && (count < 4 || !is_size(field[2]) || !is_size(field[3])))
-            return scan_fail(file, n, "no numbers of columns and rows here; export the map again");
-        if (n == OPTICS_LINE && (count < 7 || !(field[6] > 0) || !(field[1] > 0 && field[2] > 0 && field[4] > 0)))
-            return scan_fail(file, n,
-                             "no scale factor, wavelength, obliquity or lateral resolution here; calibrate the "
-                             "instrument and export the map again");
-        if (n == PHASE_LINE && (count < 1 || !(field[0] == 0 || field[0] == 1 || field[0] == 2)))
-            return scan_fail(file, n, "no phase resolution 0, 1 or 2 here; export the map again");
         if (n == SIZE_LINE) {
+            if (count < 4 || !is_size(field[2]) || !is_size(field[3]))
+                return scan_fail(file, n, "no numbers of columns and rows here; export the map again");
             out->nx = (size_t)field[2];
             out->ny = (size_t)field[3];
         } else if (n == OPTICS_LINE) {
+            if (count < 7 || !(field[6] > 0) || !(field[1] > 0 && field[2] > 0 && field[4] > 0))
+                return scan_fail(file, n,
+                                 "no scale factor, wavelength, obliquity or lateral resolution here; calibrate the "
+                                 "instrument and export the map again");
             scale = field[1] * field[2] * field[4];
-            out->lateral_m = field[6];
-        } else if (n == PHASE_LINE)
-            out->phase_m = scale / resolutions[(size_t)field[0]];
+            out->dx_m = out->dy_m = field[6];
+        } else if (n == PHASE_LINE) {
+            if (count < 1 || !(field[0] == 0 || field[0] == 1 || field[0] == 2))
+                return scan_fail(file, n, "no phase resolution 0, 1 or 2 here; export the map again");
+            *phase_m = scale / resolutions[(size_t)field[0]];
+        }
     }
     return lines->number == HEADER_LINES ? STATUS_OK : scan_fail(file, 0, "the header is cut off; copy the file again");
 }
@@ -79,17 +68,11 @@ static bool skip_block(struct lines *lines)
     return false;
 }
 
-static enum status_code read_phases(struct scan *out, struct lines lines, const struct zygo_header *header,
-                                    const struct scan_file *file)
+static enum status_code read_phases(struct scan *out, struct lines lines, double phase_m, const struct scan_file *file)
 {
     if (!skip_block(&lines) || !skip_block(&lines))
         return scan_fail(file, 0, "no block of phases; copy the file again");
-    struct string_view rest = {lines.next, lines.end};
-    if (scan_take_text(out, rest, 1, "#", file) != STATUS_OK)
-        return file->status->code;
-    for (size_t i = 0; i < out->nx * out->ny; i++)
-        out->z_m[i] = out->z_m[i] >= phase_missing ? NAN : out->z_m[i] * header->phase_m;
-    return STATUS_OK;
+    return scan_take_text(out, (struct string_view){lines.next, lines.end}, phase_m, phase_missing, "#", file);
 }
 
 static enum status_code read_points(struct scan *out, struct lines lines, const struct scan_file *file)
@@ -125,16 +108,11 @@ static enum status_code read_points(struct scan *out, struct lines lines, const 
 
 enum status_code scan_zygo_read(struct scan *out, const struct scan_file *file)
 {
-    struct zygo_header header = {0};
+    double phase_m = NAN;
     struct lines lines = lines_begin(scan_view(file));
-    if (read_header(&header, &lines, file) != STATUS_OK)
+    if (read_header(out, &phase_m, &lines, file) != STATUS_OK)
         return file->status->code;
-    out->nx = header.nx;
-    out->ny = header.ny;
-    const bool xyz = string_view_starts(scan_view(file), xyz_magic);
-    if ((xyz ? read_points(out, lines, file) : read_phases(out, lines, &header, file)) != STATUS_OK)
-        return file->status->code;
+    const bool xyz = string_view_starts(scan_view(file), "Zygo XYZ");
     scan_set_units(out, "m", xyz ? "um" : "m");
-    out->dx_m = out->dy_m = header.lateral_m;
-    return STATUS_OK;
+    return xyz ? read_points(out, lines, file) : read_phases(out, lines, phase_m, file);
 }

@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "base/text.h"
 #include "scan/reader.h"
 #include "scan/text_header.h"
 
@@ -12,7 +11,7 @@
 static const char *const endings[] = {".json", ".txt", ".hdr"};
 static const off_t most_bytes = 65536;
 
-/* What DABAM writes as FILE_FORMAT: what column 2 is, and whether each y has its own x before it. */
+/* DABAM's FILE_FORMAT: what column 2 is, and whether each y has its own x before it. */
 enum { DABAM_SLOPES = 1, DABAM_HEIGHTS, DABAM_SLOPES_IN_PAIRS, DABAM_HEIGHTS_IN_PAIRS };
 
 #define COUNT(array) (sizeof(array) / sizeof *(array))
@@ -28,7 +27,7 @@ bool sidecar_ending(const char *name, size_t *length)
     return false;
 }
 
-/* A number of the JSON object, which may be written as a string; 0 when there is none. */
+/* A number, which may be written as a string; 0 where there is none. */
 static double dabam_number(const json_t *object, const char *key)
 {
     const json_t *value = json_object_get(object, key);
@@ -38,7 +37,7 @@ static double dabam_number(const json_t *object, const char *key)
     return number;
 }
 
-/* By a key such as Y2_FACTOR. */
+/* The number at a key such as Y2_FACTOR. */
 static double dabam_factor(const json_t *object, char axis, size_t index)
 {
     char key[32];
@@ -46,7 +45,7 @@ static double dabam_factor(const json_t *object, char axis, size_t index)
     return dabam_number(object, key);
 }
 
-/* The unit of y number `index`, by FILE_FORMAT the first, by its title any other; NULL: not said. */
+/* The unit of y number `index`: of the first by FILE_FORMAT, of any other by its title; NULL: not said. */
 static const char *dabam_unit(const json_t *object, size_t index, double format)
 {
     char key[32];
@@ -60,26 +59,18 @@ static const char *dabam_unit(const json_t *object, size_t index, double format)
     return height ? scan_unit_of(dabam_factor(object, 'Y', index)) : NULL;
 }
 
-static bool take_dabam(struct text_header *out, const json_t *object)
-{
-    double x_factor = dabam_factor(object, 'X', 1);
-    if (!(x_factor > 0))
-        return false;
-    double format = dabam_number(object, "FILE_FORMAT");
-    bool pairs = format == DABAM_SLOPES_IN_PAIRS || format == DABAM_HEIGHTS_IN_PAIRS;
-    for (size_t i = 1; 2 * i <= TEXT_HEADER_COLUMNS; i++) {
-        size_t x = pairs ? 2 * i - 2 : 0, y = pairs ? 2 * i - 1 : i;
-        out->unit[x] = scan_unit_of(dabam_factor(object, 'X', pairs ? i : 1));
-        out->unit[y] = dabam_unit(object, i, format);
-    }
-    return true;
-}
-
-static bool parse_json(struct text_header *out, const struct text *bytes)
+static bool read_dabam(struct text_header *out, const struct text *bytes)
 {
     const char *start = strchr(text_string(bytes), '{'); /* behind a byte order mark */
     json_t *root = json_loadb(start, bytes->length - (size_t)(start - text_string(bytes)), 0, NULL);
-    bool any = json_is_object(root) && take_dabam(out, root);
+    const bool any = dabam_factor(root, 'X', 1) > 0;
+    double format = dabam_number(root, "FILE_FORMAT");
+    bool pairs = format == DABAM_SLOPES_IN_PAIRS || format == DABAM_HEIGHTS_IN_PAIRS;
+    for (size_t i = 1; any && 2 * i <= TEXT_HEADER_COLUMNS; i++) {
+        size_t x = pairs ? 2 * i - 2 : 0, y = pairs ? 2 * i - 1 : i;
+        out->unit[x] = scan_unit_of(dabam_factor(root, 'X', pairs ? i : 1));
+        out->unit[y] = dabam_unit(root, i, format);
+    }
     json_decref(root);
     return any;
 }
@@ -90,7 +81,7 @@ bool sidecar_read_text(struct sidecar *out, const struct text *bytes, const char
     *out = (struct sidecar){.header = {.valid = SIZE_MAX}};
     snprintf(out->name, sizeof out->name, "%s", slash ? slash + 1 : path);
     if (start[strspn(start, "\xEF\xBB\xBF \t\r\n")] == '{')
-        return parse_json(&out->header, bytes);
+        return read_dabam(&out->header, bytes);
     return scan_text_read_keys(&out->header, &(struct scan_file){.bytes = start, .length = bytes->length, .path = ""});
 }
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Pieces of a text file in memory: views, the lines of a file, the cells of a line. Nothing is copied. */
+/* Parts of a text in memory: views, lines, the cells of a line. Nothing is copied. */
 #ifndef SCAN_STRING_VIEW_H
 #define SCAN_STRING_VIEW_H
 
@@ -36,35 +36,34 @@ bool string_view_equals(struct string_view view, const char *word);
 /** Does it equal one of `words`, which blanks separate? */
 bool string_view_is_one_of(struct string_view view, const char *words);
 
-/** Walks over lines that end in LF, CRLF or, in a file without any LF, CR. */
+/** Lines that end in LF, CRLF or, in a file without any LF, CR. */
 struct lines {
     const char *next, *end;
     char stop;     /* '\n' or '\r' */
-    size_t number; /* of the line handed out last, from 1 */
+    size_t number; /* of the last line taken, from 1 */
 };
 
 struct lines lines_begin(struct string_view text);
-/** Hands out the next line without its end; false behind the last one. */
+/** Takes the next line without its end; false behind the last one. */
 bool lines_next(struct lines *lines, struct string_view *line);
 
-/** Cuts the next cell, trimmed, off `rest`; false when nothing is left. With `delimiter` ' ' any run of blanks
- * separates, but not before '[' or '(', so that `x [mm] z [um]` is two cells. */
+/** Cuts the next cell, trimmed, off `rest`; false when nothing is left. With `delimiter` ' ' any number of blanks
+ * separates, but not before '[' or '(', so that `x [mm] z [um]` are two cells. */
 bool cell_next(struct string_view *rest, char delimiter, struct string_view *cell);
 
-/* Decimal numbers from bytes: correctly rounded, independent of the locale, fast. */
+/* Decimal numbers, correctly rounded whatever the locale. */
 
-enum { NUMBER_POINT = 1, NUMBER_COMMA = 2 }; /* decimal signs: which are allowed, which was met */
+enum { NUMBER_POINT = 1, NUMBER_COMMA = 2 }; /* decimal signs */
 
-/** Reads one number (sign, digits, decimal sign, digits, exponent with e, E, d or D) from the start of `text`.
- * `allowed` says which decimal signs count; the one met is added to *met (NULL: not asked). A decimal comma has to have
- * digits on both sides. The nearest double goes to *value, an infinity on overflow.
- * Returns the end of the number, or NULL where there is none (NaN and inf are none). */
+/** Reads a number (sign, digits, decimal sign, digits, exponent with e, E, d or D) from the start of `text` and returns
+ * its end; NULL: there is none (NaN and inf are none). `allowed` are the decimal signs that count; the one found is
+ * added to *met (NULL: not asked). A decimal comma needs digits on both sides. *value is the nearest double, infinite
+ * on overflow. */
 const char *number_scan(struct string_view text, unsigned allowed, unsigned *met, double *value);
 
-/** The whole of `text`, blanks around it aside, as a finite number with a decimal point. */
+/** The whole of `text`, trimmed, as a finite number with a decimal point. */
 bool number_read(struct string_view text, double *value);
-
-/** The same for an integer >= 0, written without sign, decimal sign or exponent. */
+/** The same for an integer >= 0, without sign, decimal sign or exponent. */
 bool number_read_size(struct string_view text, size_t *value);
 
 #endif

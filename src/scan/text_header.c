@@ -17,23 +17,21 @@ struct key {
     struct string_view word[KEY_WORDS];
     size_t count;
     const char *unit; /* named in brackets among them */
-    bool other;       /* and it is none of a distance: [Hz], [mm/s], [points] */
+    bool other;       /* and that is no unit of length: [Hz], [mm/s], [points] */
 };
 
 #define PLACE(member) offsetof(struct text_header, member)
 
-/* a step of the heights or of the rows is none along the profile */
+/* words that make a step one of heights or rows, not along the profile */
 #define OTHER_AXES                                                                                                     \
     "y z dy dz deltay deltaz row rows line lines track tracks profile profiles trace traces height heights vertical "
-/* what else has a step, a pitch or a resolution, and what else is sampled */
+/* what else has a step, a pitch or a resolution, or is sampled */
 #define OTHER_THINGS                                                                                                   \
     "length lengths time speed velocity rate frequency points number count counts mean average rsm psm wsm sm "        \
-    "evaluation peak "                                                                                                 \
-    "peaks groove grooves thread threads grating optical filter cutoff tip stylus bit bits depth angle force "         \
-    "temperature"
+    "evaluation peak peaks groove grooves thread threads grating optical filter cutoff tip stylus bit bits depth "     \
+    "angle force temperature"
 
-/* What a number is, by the words in front of it: one of `any`, one of `also` where that is given, and none of `none`.
- */
+/* What a number is, by the words before it: one of `any`, one of `also` if there are such, and none of `none`. */
 static const struct {
     const char *any, *also, *none;
     size_t place; /* offset of its struct text_quantity in struct text_header */
@@ -50,14 +48,14 @@ static const struct {
     {"height y-length", "", "pixel step", PLACE(height)},
 };
 
-/* What a distance may be counted by and stay a step; and words that are no units of anything physical. */
+/* A length per one of these is a step; and words that look like units and are none of length. */
 static const char samples[] = "sample samples pixel pixels px point points pt pts step steps";
 static const char counted[] =
     "points point pts pt samples sample pixels pixel px lines dpi ppi bit bits counts hz khz sec second seconds %";
 
 enum { AXIS_X = 1, AXIS_Y = 2, AXIS_Z = 4 };
 
-/* Words beside `unit` or `units` that say of what, and words that say both. */
+/* Words beside `unit` that say of which axis, and words that say both. */
 static const struct {
     const char *words;
     unsigned axes;
@@ -92,8 +90,8 @@ static bool is_separator(char c)
     return c && strchr(separators, c);
 }
 
-/* Cuts the next word off `rest`; um/mm is one. *before is the separator in front of it that says most: a bracket or a
- * slash, else the first that is no blank, else a blank or 0. */
+/* Cuts the next word off `rest`; um/mm is one. *before is the separator before it: a bracket or a slash if there is
+ * one, else the first that is no blank, else a blank or 0. */
 static bool next_word(struct string_view *rest, struct string_view *word, char *before)
 {
     *before = '\0';
@@ -122,7 +120,7 @@ static bool has_any(const struct key *key, const char *words)
     return false;
 }
 
-/* Is `word` a unit of something else than a distance? */
+/* Is `word` a unit, but not of length? */
 static bool is_other_unit(struct string_view word)
 {
     struct unit unit;
@@ -131,14 +129,14 @@ static bool is_other_unit(struct string_view word)
             (unit_read(&unit, word.start, string_view_length(word)) && !unit_of(&unit, UNIT_NUMBER)));
 }
 
-/* Does a value follow what stands before `rest`? */
+/* Does `rest` begin with a sign that a value follows? */
 static bool is_key(struct string_view rest)
 {
     rest = string_view_trim(rest);
     return rest.start < rest.end && strchr("=:", *rest.start);
 }
 
-/* Is what a unit of distance, with `rest` behind it, divided by no kind of sample: mm/s, um per second? */
+/* Is the unit of length before `rest` divided by something, and not by samples: mm/s, um per second? */
 static bool is_rate(struct string_view rest)
 {
     struct string_view word;
@@ -149,7 +147,7 @@ static bool is_rate(struct string_view rest)
     return (before == '/' || (per && next_word(&rest, &word, &before))) && !string_view_is_one_of(word, samples);
 }
 
-/* Do both say the same, to the digits that headers have? A number without a unit may be in any. */
+/* Are both equal, to the digits that headers have? A number without a unit may be in any. */
 static bool is_same(const struct text_quantity *a, const struct text_quantity *b)
 {
     static const double rounding = 5e-3;
@@ -165,8 +163,8 @@ static bool is_per_pixel(struct string_view rest)
     return next_word(&rest, &word, &before) && before == '/' && string_view_is_one_of(word, "pixel pixels px");
 }
 
-/* Takes over `value` of line `line`, in `unit` (NULL: none), that follows `key`. `sign`: a '=' or the like stands
- * between. Returns whether the key means something. */
+/* Takes over `value` of line `line`, in `unit` (NULL: none), that follows `key`; `sign`: behind a '=' or the like.
+ * Returns whether the key means something. */
 static bool take_number(struct text_header *header, const struct key *key, double value, const char *unit, bool sign,
                         size_t line)
 {
@@ -176,13 +174,12 @@ static bool take_number(struct text_header *header, const struct key *key, doubl
             continue;
         if (!(value > 0 && value < 1e300) || !(unit || sign) || (!unit && key->other))
             return true;
-        struct text_quantity found = {value, unit, line, 0}, known;
-        memcpy(&known, (char *)header + meanings[i].place, sizeof known);
-        if (known.value > 0)
-            found.other = is_same(&known, &found) ? known.other : known.line;
-        if (known.unit && !unit)
-            found = (struct text_quantity){known.value, known.unit, known.line, found.other ? line : 0};
-        memcpy((char *)header + meanings[i].place, &found, sizeof found);
+        struct text_quantity found = {value, unit, line, 0}, *known = (void *)((char *)header + meanings[i].place);
+        if (known->value > 0)
+            found.other = is_same(known, &found) ? known->other : known->line;
+        if (known->unit && !unit)
+            found = (struct text_quantity){known->value, known->unit, known->line, found.other ? line : 0};
+        *known = found;
         return true;
     }
     return false;
@@ -196,7 +193,7 @@ static bool is_unit_word(struct string_view word)
     return false;
 }
 
-/* Takes over the unit named behind `key`. Returns whether that is a key of a unit; *all: one of everything. */
+/* Takes over the unit named after `key`. Returns whether it is the key of a unit; *all: of that of every axis. */
 static bool take_unit(struct text_header *header, const struct key *key, const char *name, bool *all)
 {
     unsigned axes = 0;
@@ -210,17 +207,16 @@ static bool take_unit(struct text_header *header, const struct key *key, const c
     *all = unit && axes == 0 && key->count == 1;
     if (!unit || (axes == 0 && !*all))
         return false;
-    const char **places[] = {&header->x_unit, &header->y_unit, &header->z_unit};
-    for (unsigned i = 0; i < COUNT(places); i++)
-        if (axes & (1u << i))
-            *places[i] = name;
-    if (*all)
-        header->all_unit = name;
+    header->x_unit = axes & AXIS_X ? name : header->x_unit;
+    header->y_unit = axes & AXIS_Y ? name : header->y_unit;
+    header->z_unit = axes & AXIS_Z ? name : header->z_unit;
+    header->all_unit = *all ? name : header->all_unit;
     return true;
 }
 
-/* The word and the number to the end where a decimal comma cuts both: `0` of `0,5 um` is known. Three digits behind any
- * other number than 0 may be thousands: 0, which nothing can be. */
+/* A comma has cut the number off at `end`: of `0,5 um` only `0` was read. Returns the end of the whole number, which
+ * goes to *value, and of `word`. Three digits after the comma may be thousands, except behind 0: then the value is 0,
+ * which no length is. */
 static const char *decimal_comma(struct string_view *line, struct string_view *word, const char *end, double *value)
 {
     struct string_view all = {word->start, line->end};
@@ -236,7 +232,7 @@ static const char *decimal_comma(struct string_view *line, struct string_view *w
 
 static const struct key pixel_size = {.word = {{"pixel", "pixel" + 5}, {"size", "size" + 4}}, .count = 2};
 
-/* Takes over what the keys in `line` say. Does one of them name a unit? */
+/* Takes over what the keys in `line` say, and tells whether one of them names a unit. */
 static bool add_line(struct text_header *header, struct string_view line, size_t number)
 {
     struct key key = {.count = 0};
@@ -247,7 +243,7 @@ static bool add_line(struct text_header *header, struct string_view line, size_t
         const char *end = number_scan(word, NUMBER_POINT, NULL, &value), *name = scan_unit_find(word).name;
         if (end && before != ',' && end == line.start)
             end = decimal_comma(&line, &word, end, &value);
-        if (end) { /* its unit stands right behind it, or is the next word */
+        if (end) { /* its unit follows at once, or is the next word */
             bool sign = before && strchr("=:,;\t", before);
             struct string_view behind = {end, word.end}, rest = line;
             char between;
@@ -265,7 +261,7 @@ static bool add_line(struct text_header *header, struct string_view line, size_t
             continue;
         }
         if (name && all)
-            header->all_unit = NULL; /* `units: mm, um`: which is whose is not said */
+            header->all_unit = NULL; /* `units: mm, um`: it is not said which is whose */
         bool named = before && strchr("=:,;", before);
         named = named || (key.count > 0 && is_unit_word(key.word[key.count - 1]));
         if (name && named && take_unit(header, &key, name, &all)) {
@@ -299,18 +295,14 @@ struct string_view text_header_uncomment(struct string_view line, bool *comment)
 
 bool text_header_title_slope(struct string_view title)
 {
-    bool slope = false;
-    struct string_view word, last = {NULL, NULL};
-    for (char before; next_word(&title, &word, &before); last = word) {
-        slope =
-            slope || string_view_is_one_of(word, "slope slopes gradient") ||
-            (before == '/' && last.start && string_view_equals(word, "dx") && string_view_is_one_of(last, "dz dh dy"));
-        if (string_view_is_one_of(
-                word, "removed removal corrected correction subtracted subtraction compensated compensation "
-                      "detrended out"))
-            return false;
-    }
-    return slope;
+    static const char taken_out[] =
+        "removed removal corrected correction subtracted subtraction compensated compensation detrended out";
+    bool slope = text_header_says(title, "slope slopes gradient");
+    struct string_view rest = title, word, last = {NULL, NULL};
+    for (char before; next_word(&rest, &word, &before); last = word)
+        slope = slope || (before == '/' && last.start && string_view_equals(word, "dx") &&
+                          string_view_is_one_of(last, "dz dh dy"));
+    return slope && !text_header_says(title, taken_out);
 }
 
 bool text_header_says(struct string_view title, const char *words)
@@ -322,9 +314,9 @@ bool text_header_says(struct string_view title, const char *words)
     return false;
 }
 
-/* The unit a column's title names: its last word that is one. Where a word might be something else ("A", "in", and all
- * of them in a line with numbers, `Length, 1500.0 um`) brackets or a slash have to say that a unit is meant. A short
- * word in brackets that is none, [km], is *unknown. */
+/* The unit that a column's title names: its last word that is one. A word that might be something else ("A", "in", any
+ * word of a line with numbers, as `Length, 1500.0 um`) counts only in brackets or behind a slash. A short word in
+ * brackets that is no unit, [km], is *unknown. */
 static const char *cell_unit(struct string_view cell, bool with_numbers, struct string_view *unknown)
 {
     enum { SHORT = 6 };
@@ -341,7 +333,7 @@ static const char *cell_unit(struct string_view cell, bool with_numbers, struct 
     return unit;
 }
 
-/* Nothing but a unit, or something in brackets, as in a line of units below the titles. */
+/* Is it only a unit, or something in brackets, as in a line of units below the titles? */
 static bool is_bare(struct string_view cell)
 {
     return scan_unit_find(cell).name ||
@@ -357,13 +349,13 @@ static bool has_numbers(struct string_view line)
     return false;
 }
 
-/* The titles of a line of `columns` cells; false when it is none: another number of cells, or numbers among them. */
+/* The titles in `line`; false where it is no line of them: not `columns` cells, or numbers among them. */
 static bool read_titles(struct text_header *header, struct string_view line, char delimiter, size_t columns)
 {
     struct text_header found = *header;
     size_t count = 0, filled = 0, bare = 0, last_bare = 0;
     bool with_numbers = has_numbers(line);
-    /* of one column it is about x, or a key with its number: `dx [mm] = 0.5` */
+    /* above one column of heights it speaks of x, or is a key with its number: `dx [mm] = 0.5` */
     if (columns == 1 &&
         (with_numbers || text_header_says(line, "x dx lateral horizontal spacing step length position")))
         return false;
@@ -385,7 +377,7 @@ static bool read_titles(struct text_header *header, struct string_view line, cha
     }
     if (filled != columns)
         return false;
-    if (columns > 1 && bare == 1) /* one unit alone, `X: mm`, need not be that of the column it stands above */
+    if (columns > 1 && bare == 1) /* a single unit, `X: mm`, need not be that of the column below it */
         found.unit[last_bare] = header->unit[last_bare];
     *header = found;
     return true;
@@ -400,7 +392,7 @@ bool text_header_add(struct text_header *header, struct string_view text)
     return any;
 }
 
-/* What stands behind the last colon of `line`: a length to its end (*value > 0), a unit alone, or neither. */
+/* The unit of what follows the last colon of `line`: a length (*value > 0) or the unit alone; NULL: neither. */
 static const char *value_of(struct string_view line, double *value)
 {
     const char *colon = memrchr(line.start, ':', string_view_length(line));
@@ -410,8 +402,8 @@ static const char *value_of(struct string_view line, double *value)
     return scan_unit_find(string_view_trim((struct string_view){end ? end : rest.start, rest.end})).name;
 }
 
-/* Gwyddion's header in whatever language: a comment a line, of a name, a width, a height and a unit. Where two lengths
- * that follow each other are the only ones, they are kept. */
+/* Gwyddion's header in any language: comments with a name, a width, a height and a unit. Where there are exactly two
+ * lengths, in lines that follow each other, they are kept. */
 static void find_lengths(struct text_header *header, struct string_view preamble)
 {
     struct text_quantity found[2] = {{0}};
@@ -437,15 +429,9 @@ static void find_lengths(struct text_header *header, struct string_view preamble
     header->behind_lengths = unit_behind;
 }
 
-/* SPIP's header, whose lengths are in nm where no unit stands there. */
-static bool is_spip(struct string_view line)
-{
-    return string_view_equals(line, "File Format = ASCII") || string_view_starts(line, "Created by SPIP");
-}
-
 struct text_header text_header_read(struct string_view preamble, char delimiter, size_t columns)
 {
-    const char delimiters[] = {delimiter, '\t', ';', ',', ' '}; /* titles may be set differently from the numbers */
+    const char delimiters[] = {delimiter, '\t', ';', ',', ' '}; /* titles may be separated differently from numbers */
     struct text_header header = {.valid = SIZE_MAX};
     struct string_view last[TEXT_HEADER_LINES]; /* line i, blank ones aside, at i % TEXT_HEADER_LINES */
     size_t count = 0;
@@ -456,7 +442,7 @@ struct text_header text_header_read(struct string_view preamble, char delimiter,
         line = text_header_uncomment(line, &comment);
         if (line.start == line.end)
             continue;
-        spip = spip || is_spip(line);
+        spip = spip || string_view_equals(line, "File Format = ASCII") || string_view_starts(line, "Created by SPIP");
         scaled = scaled || string_view_equals(line, "DataScaleNeeded = yes");
         if (add_line(&header, line, lines.number))
             line.end = line.start; /* `X unit: mm` is no pair of titles */
@@ -469,7 +455,7 @@ struct text_header text_header_read(struct string_view preamble, char delimiter,
     find_lengths(&header, preamble);
     if (scaled)
         header.z_factor = header.data_scale;
-    if (spip) {
+    if (spip) { /* whose lengths are in nm if no unit is given */
         header.width.unit = either(header.width.unit, "nm");
         header.height.unit = either(header.height.unit, "nm");
     }

@@ -15,22 +15,22 @@ static const char *const dimensionless_names[] = {"load_over_AnEp", "P/(A_n E')"
 
 enum { CELLS_MOST = 8, NUMBER_EITHER = NUMBER_POINT | NUMBER_COMMA }; /* no comma is left in cells split at it */
 
-/* In which cells load, resistance and error may stand; the first where the units do not say another. */
+/* Orders of load, resistance and error; the first one unless the units show another. */
 static const size_t orders[][MEASURED_COLUMNS] = {{0, 1, 2}, {1, 0, 2}, {2, 0, 1}, {0, 2, 1}};
 
-/* A line of cells; those beyond the last are empty. */
+/* The cells of a line; those beyond the last are empty. */
 struct cells {
     struct string_view cell[CELLS_MOST];
     size_t count;
 };
 
-/* What a file is read with. */
+/* The state of reading a file. */
 struct reading {
     struct measured_file *out;
     const unsigned *quantities; /* of each column */
     bool field;                 /* of pressure: its places are any number */
     const size_t *order;        /* one of `orders` */
-    size_t line;                /* what is read now, which messages name */
+    size_t line;                /* of messages */
     struct cells heading;       /* the last line of titles above the rows */
     size_t heading_line;
     bool labels; /* the first column names the rows */
@@ -44,7 +44,7 @@ static bool starts_number(struct string_view cell)
     return end && (end == cell.end || string_view_is_blank_char(*end));
 }
 
-/* Cells end at semicolons, else at tabs, commas or blanks; quotes around one go. */
+/* Cells end at semicolons, else at tabs, else at commas, else at blanks; quotes around them are removed. */
 static struct cells split(struct string_view line)
 {
     const char *delimiter = ";\t,";
@@ -73,7 +73,7 @@ static void without_first(struct cells *cells)
     cells->count -= cells->count > 0;
 }
 
-/* Titles, or the units below them: cells without a number among them, but for the unit 1. */
+/* Titles, or the units below them: no cell is a number, but perhaps the unit 1. */
 static bool is_heading(const struct cells *cells)
 {
     bool numbers = false;
@@ -90,8 +90,8 @@ static bool is_unit(struct measured_unit *out, struct string_view text, unsigned
     return out->known;
 }
 
-/* The unit that a title names beside the name: in brackets, behind a slash, or as its end. False: there is none.
- * *unknown is what brackets or a slash hold that is none; nothing else can stand there. */
+/* The unit in a title: in brackets, behind a slash, or at its end. False: none; then *unknown is what stands in
+ * brackets or behind a slash, where only a unit belongs. */
 static bool title_unit(struct measured_unit *out, struct string_view *unknown, struct string_view title,
                        unsigned quantities)
 {
@@ -128,7 +128,7 @@ static enum status_code refuse_unit(const struct reading *in, size_t column, str
                        in->field ? row_names[1] : "load, the scene's 'quantity', perhaps its error");
 }
 
-/* The units of the heading in in->order; do all of its cells name one? `alone`: they are nothing else. */
+/* Reads the units of the heading in in->order. Do all of its cells name one? `alone`: the cells are only units. */
 static bool heading_units(struct reading *in, bool alone, struct string_view unknown[MEASURED_COLUMNS])
 {
     size_t known = 0;
@@ -144,7 +144,7 @@ static bool heading_units(struct reading *in, bool alone, struct string_view unk
     return known > 0 && known == in->heading.count;
 }
 
-/* Finds the order of the columns in which all titles name a unit; where there is none they stand in the first. */
+/* Finds the order of columns in which all titles name a fitting unit, else takes the first order. */
 static enum status_code heading_read(struct reading *in)
 {
     struct string_view unknown[MEASURED_COLUMNS];

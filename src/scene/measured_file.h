@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The text file of a measurement: rows of load, resistance and perhaps its error, and the units it names; or of a field
- * of pressure: rows of x, y and pressure, or of an area and its pressure. */
+/* Text files with units: rows of load, resistance and perhaps its error; or a field of pressure: rows of x, y and
+ * pressure, or of an area and its pressure. */
 #ifndef SCENE_MEASURED_FILE_H
 #define SCENE_MEASURED_FILE_H
 
@@ -30,13 +30,12 @@ struct measured_file {
     struct measured_unit units[MEASURED_COLUMNS];
 };
 
-/** Reads `content`, called `name` in messages. `quantities` has the enum unit_quantity bits that each column may be in.
- * Those of a field of pressure have lengths among the first. A row is two or three numbers; cells are delimited by
- * semicolons, tabs, commas or blanks. The last line of titles above the rows names the units, as `load (N)`, `load
- * [N]`, `F/N`, `load_N`, `load N`, or is the units alone. Columns stand in that order or, where all of them name a
- * unit, in another. What stands behind # is a remark; what else stands above the rows is passed over. Errors:
- * STATUS_SCENE with file and line: a row of another form or below a title that is not there, numbers out of range, a
- * unit that is unknown or not of the column's quantities; STATUS_MEMORY. */
+/** Reads `content`, called `name` in messages. `quantities`: the enum unit_quantity bits of each column; lengths in the
+ * first mean a field of pressure. A row is two or three numbers, separated by semicolons, tabs, commas or blanks. The
+ * last line of titles above the rows names the units, as `load (N)`, `load [N]`, `F/N`, `load_N`, `load N`, or alone.
+ * Columns may stand in another order where all name a unit. Text behind # and other text above the rows is skipped.
+ * Errors: STATUS_SCENE with file and line: a malformed row, a cell without a title, a number out of range, a wrong
+ * unit; STATUS_MEMORY. */
 MUST_CHECK enum status_code measured_file_read(struct measured_file *out, struct string_view content, const char *name,
                                                const unsigned quantities[MEASURED_COLUMNS], struct status *status);
 /** The same of the file at `path`, which is text without a NUL byte. Errors also: STATUS_IO. */

@@ -11,7 +11,7 @@ void plan_decide(struct plan *plan, enum effect effect, bool runs, const char *r
     plan->wanted = quantity_wanted(plan->running);
 }
 
-/** What an effect lacks to run on every surface, and on which, as the plan says it; NULL: nothing. */
+/** Says what an effect lacks to run on every surface, and on which; NULL: nothing. */
 static const char *say_lack(const struct plan *plan, enum effect effect, const struct scene *scene)
 {
     size_t lacking = 0, count = scene->surface_count > 0 ? scene->surface_count : 1, first = 0;
@@ -64,7 +64,7 @@ static void decide(struct plan *plan, enum effect effect, const struct scene *sc
     plan_decide(plan, effect, runs, lack ? lack : words_say(plan->words, "%s\nkey %s", why, key ? key : ""));
 }
 
-/** What a report is asked for first: the first target, else what models compute of the greatest precedence. */
+/** The quantity asked for: the first target's, else the first that the models compute. */
 static enum quantity asked_quantity(const struct plan *plan, const struct scene *scene)
 {
     return scene->target_count > 0 ? scene->targets[0].quantity : quantity_first(plan_quantities(plan));
@@ -129,7 +129,7 @@ size_t plan_leading_model(const struct plan *plan)
     return leading;
 }
 
-/** What models cost, roughly: a closed form of moments, a sum over the spectrum, strips of the scans. */
+/** Models by cost: a closed form of moments, a sum over the spectrum, strips of the scans. */
 static int cost_rank(const struct model_row *row)
 {
     return row->uses_strip ? 2 : row->textbook ? 0 : 1;

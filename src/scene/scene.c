@@ -43,7 +43,7 @@ bool scene_bins_spectra(const struct scene *scene)
     return !scene->exports && scene->surface_count > SCENE_DATA_SURFACES;
 }
 
-/* Reads scene.yaml; without one, scene->path goes. A dangling link of that name is an error, not an absence. */
+/* Reads scene.yaml; if there is none, scene->path becomes NULL. A dangling link of that name is an error. */
 static enum status_code load_text(struct text *bytes, struct scene *scene, struct status *status)
 {
     struct stat info;
@@ -62,7 +62,7 @@ static enum status_code load_text(struct text *bytes, struct scene *scene, struc
     return text_read_file(bytes, scene->path, status);
 }
 
-/* Effect `effect`, asked for in the scene or else by the command line, lacks `what`. */
+/* Fails as an effect, listed in the scene or on the command line, lacks `what`. */
 static void fail_effect(struct scene_source *source, const struct effect_row *effect, const char *what)
 {
     if (!source->effects_overridden)
@@ -72,19 +72,19 @@ static void fail_effect(struct scene_source *source, const struct effect_row *ef
                           "--effects: '%s' needs %s in scene.yaml, or leave the effect out", effect->name, what);
 }
 
-/* ---- What a scene says beyond its keys, in steps, each with what those before it left; none runs once one failed */
+/* ---- Steps that complete a scene once its keys are read; each uses those before it, the first failure ends them */
 
 static void complete_keys(struct scene *scene, struct scene_source *source)
 {
     (void)source;
-    if (!scene->fit_band_given) { /* what the filters leave */
+    if (!scene->fit_band_given) { /* between the filters */
         scene->fit_band_m[0] = scene->lambda_s_m;
         scene->fit_band_m[1] = scene->lambda_c_m > 0 ? scene->lambda_c_m : INFINITY;
     } else
         scene->fit_band_given = scene->fit_band_m[0] > 0 || isfinite(scene->fit_band_m[1]);
 }
 
-/* What the command line says instead of the scene; units once the surfaces are known. */
+/* Options of the command line; units follow once the surfaces are known. */
 static void override_values(struct scene *scene, struct scene_source *source)
 {
     const struct scene_overrides *overrides = source->overrides;
@@ -94,19 +94,18 @@ static void override_values(struct scene *scene, struct scene_source *source)
                                   {"accuracy", overrides->accuracy},
                                   {"export", overrides->exports}};
     for (size_t i = 0; i < SCENE_COUNT(all); i++)
-        for (size_t k = 0; k < scene_key_count && all[i][1]; k++)
-            if (strcmp(scene_keys[k].name, all[i][0]) == 0)
-                scene_source_option(source, &scene_keys[k], all[i][0], all[i][1], scene);
+        if (all[i][1])
+            scene_source_option(source, &scene_keys[scene_keys_find(all[i][0])], all[i][0], all[i][1], scene);
     if (overrides->budget)
         scene_source_option(source, scene_budget_key, "budget", overrides->budget, &scene->direct);
     unsigned direct = EFFECT_BIT(EFFECT_DIRECT);
-    if (source->effects_overridden && !scene->effects_auto) /* as they are listed there */
+    if (source->effects_overridden && !scene->effects_auto) /* only as listed there */
         scene->direct.called = scene->effects & direct;
     scene->direct.called = scene->direct.called || overrides->direct || overrides->budget || (scene->effects & direct);
     scene->effects |= scene->direct.called ? direct : 0;
 }
 
-/* Effects run that a key calls for, unless the command line lists others; none runs without its key. */
+/* Effects run whose key is given, unless the command line lists others; none runs without its key. */
 static void call_effects(struct scene *scene, struct scene_source *source)
 {
     for (int i = 0; i < EFFECT_COUNT; i++) {
@@ -129,10 +128,10 @@ static void call_effects(struct scene *scene, struct scene_source *source)
 static void list_surfaces(struct scene *scene, struct scene_source *source)
 {
     if (scene->surface_count == 0)
-        (void)scene_files_list(scene, source->status); /* which tells of its failure there */
+        (void)scene_files_list(scene, source->status); /* the status has its failure */
 }
 
-/* One body's mean free path, unless it has one. */
+/* Sets a body's mean free path, unless it has one. */
 static void give_mean_free_path(struct material *material, const struct scene *scene, struct scene_source *source)
 {
     if (scene->mean_free_path == SCENE_MEAN_FREE_PATH_THESIS || !isnan(material->mean_free_path_m) ||
@@ -147,7 +146,7 @@ static void give_mean_free_path(struct material *material, const struct scene *s
             scene_words_show(material->name).text);
 }
 
-/* Completes bodies with the scene's, and checks them. `owner`: the surface's name, NULL: the scene's own. */
+/* Completes bodies with the scene's and checks them. `owner`: the surface's name; NULL: the scene's own bodies. */
 static void complete_bodies(struct scene_bodies *bodies, const struct scene *scene, struct scene_source *source,
                             const char *owner)
 {
@@ -171,7 +170,7 @@ static void complete_bodies(struct scene_bodies *bodies, const struct scene *sce
         scene_source_fail(source, bodies->counterface_line ? bodies->counterface_line : whole->counterface_line,
                           "'counterface' is '%s', but no material is given to press it on; add 'material'",
                           scene_words_show(bodies->counterface.name).text);
-    for (int i = 0; i < EFFECT_COUNT; i++) /* asked for by name */
+    for (int i = 0; i < EFFECT_COUNT; i++) /* listed ones */
         if ((scene->effects & EFFECT_BIT(i)) && scene_lack_words(&lack, bodies, owner, &effect_rows[i]))
             fail_effect(source, &effect_rows[i], lack.text);
     give_mean_free_path(&bodies->material, scene, source);
@@ -179,7 +178,7 @@ static void complete_bodies(struct scene_bodies *bodies, const struct scene *sce
         give_mean_free_path(&bodies->counterface, scene, source);
 }
 
-/* The bodies of every surface; the scene's own count where a surface uses them. */
+/* Completes the bodies of every surface, and the scene's where a surface uses them. */
 static void complete_all_bodies(struct scene *scene, struct scene_source *source)
 {
     bool used = scene->surface_count == 0;
@@ -191,24 +190,20 @@ static void complete_all_bodies(struct scene *scene, struct scene_source *source
         complete_bodies(&scene->surfaces[i].bodies, scene, source, scene->surfaces[i].name);
 }
 
-/* The rules of the scene's own keys; material and area may be known from elsewhere. */
+/* Checks the rules of the scene's keys; surfaces may give the material, and `shape` the area. */
 static void check_rules(struct scene *scene, struct scene_source *source)
 {
     size_t lines[SCENE_KEYS_MOST];
     bool known = !isnan(scene->bodies.material.youngs_modulus_Pa);
     for (size_t i = 0; i < scene->surface_count; i++)
         known = known || !isnan(scene->surfaces[i].bodies.material.youngs_modulus_Pa);
-    for (size_t k = 0; k < scene_key_count; k++) {
-        lines[k] = source->lines[k];
-        if (strcmp(scene_keys[k].name, "material") == 0)
-            lines[k] = known;
-        if (strcmp(scene_keys[k].name, "nominal_area") == 0)
-            lines[k] = scene->nominal_area_m2 > 0;
-    }
+    memcpy(lines, source->lines, sizeof lines);
+    lines[scene_keys_find("material")] = known;
+    lines[scene_keys_find("nominal_area")] = scene->nominal_area_m2 > 0;
     (void)scene_source_rules(source, &scene_keys_whole, lines, 0, scene);
 }
 
-/* Can loads of that kind be turned into P/(A_n E') on every surface? */
+/* Fails if loads of that kind cannot become P/(A_n E') on every surface. */
 static void check_load_kind(const struct scene *scene, struct scene_source *source, const char *key, const char *in,
                             enum unit_quantity kind)
 {
@@ -233,11 +228,9 @@ static bool has_one_modulus(const struct scene *scene)
     return one;
 }
 
-/* P/(A_n E'), to which loads go by themselves. */
-static const double least_by_itself = 1e-12;
+static const double least_by_itself = 1e-12; /* P/(A_n E') of the program's own loads */
 
-/* The loads reach a decade beyond the operating one where the scene leaves them to the program, and tables and charts
- * then stand in its unit. */
+/* Without `load` the loads reach a decade beyond the operating one, whose unit tables and charts then have. */
 static void check_loads(struct scene *scene, struct scene_source *source)
 {
     static const char key[] = "operating_load";
@@ -328,7 +321,7 @@ enum status_code scene_read(struct scene *out, const char *directory, const stru
 {
     static const struct scene_overrides nothing = {0};
     const struct scene_overrides *over = overrides ? overrides : &nothing;
-    struct scene_source source = {.scene = out, .status = status, .whole = &scene_keys_whole, .overrides = over};
+    struct scene_source source = {.scene = out, .status = status, .overrides = over};
     struct text loaded = {0};
     struct stat info;
     *out = default_scene();

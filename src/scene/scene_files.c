@@ -44,7 +44,7 @@ static int compare_naturally(const void *a, const void *b)
     return strverscmp(*(char *const *)a, *(char *const *)b);
 }
 
-/* Does `file` only say units of scans, wherever these are? */
+/* Does `file` only give the units of scans? */
 static bool is_sidecar(const struct scene *scene, const char *file)
 {
     size_t stem;
@@ -120,7 +120,7 @@ static int compare_surfaces(const void *a, const void *b)
     return order ? order : strcmp(first->files.path[0], second->files.path[0]);
 }
 
-/* Gives surfaces that share a name the ending of their file, until all differ (file names do). */
+/* Gives surfaces of one name the ending of their file, until all names differ. */
 static enum status_code tell_apart(struct scene *scene, struct status *status)
 {
     struct scene_surface *all = scene->surfaces;
@@ -131,7 +131,7 @@ static enum status_code tell_apart(struct scene *scene, struct status *status)
             for (end = i + 1; end < scene->surface_count && strcmp(all[i].name, all[end].name) == 0;)
                 end++;
             for (size_t j = i; end > i + 1 && j < end; j++) {
-                if (strchr(all[j].files.path[0], '/')) /* a directory's name is all it has */
+                if (strchr(all[j].files.path[0], '/')) /* a directory has no ending */
                     continue;
                 free(all[j].name);
                 if (!(all[j].name = scene_files_name(all[j].files.path[0], true)))
@@ -143,7 +143,7 @@ static enum status_code tell_apart(struct scene *scene, struct status *status)
     return STATUS_OK;
 }
 
-/* The same file, however its paths are spelt? */
+/* Are both paths the same file? */
 static bool is_same(const struct scene *scene, const char *a, const char *b)
 {
     char *first = scene_file_path(scene, a), *second = scene_file_path(scene, b);
@@ -155,8 +155,7 @@ static bool is_same(const struct scene *scene, const char *a, const char *b)
     return same;
 }
 
-/* Is the file spoken for: the scene itself, the counterface's scan, measurements, or the parts'
- * shape? */
+/* Is the file the scene, a scan of the counterface, a measurement or the parts' shape? */
 static bool is_taken(const struct scene *scene, const char *file)
 {
     const struct scene_files *const all[] = {&scene->counterface_surface.files, &scene->measured.files,
@@ -193,11 +192,11 @@ static enum status_code tell_others(struct scene *scene, struct scene_files *oth
     return lines.failed ? status_memory(status) : STATUS_OK;
 }
 
-/* What a file is that is no scan; NULL: it may be one. Only its beginning is read where that tells. */
+/* What a file is that is no scan; NULL: it may be one. If possible only its beginning is read. */
 static const char *kind_of_other(const struct scene *scene, const char *name)
 {
     char bytes[32768], *path = scene_file_path(scene, name);
-    int descriptor = path ? open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC) : -1; /* a kernel's may wait for news */
+    int descriptor = path ? open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC) : -1; /* a file of the kernel's may block */
     FILE *file = descriptor < 0 ? NULL : fdopen(descriptor, "rb");
     size_t length = file ? fread(bytes, 1, sizeof bytes, file) : 0;
     bool whole = length < sizeof bytes;
@@ -214,8 +213,8 @@ static const char *kind_of_other(const struct scene *scene, const char *name)
     return kind;
 }
 
-/* Adds a surface of one file, or of all that are in a folder, its repeated scans; of those that are spoken for, or no
- * scans, which are noted, none. */
+/* Adds a surface of one file, or of the files of a folder as repeated scans. Files of is_taken() are left out, and
+ * those that are no scans go to `others`; a surface without files is not added. */
 static enum status_code add_surface(struct scene *scene, struct scene_files *others, const char *name, bool folder,
                                     struct status *status)
 {
@@ -250,7 +249,7 @@ static enum status_code add_surface(struct scene *scene, struct scene_files *oth
     return code;
 }
 
-/* Is the folder open, and no report of this program? */
+/* Can the folder be listed, and is it no report of this program? */
 static bool may_hold_scans(const struct scene *scene, const char *folder)
 {
     char *path = scene_file_path(scene, folder), *results = NULL;
@@ -289,9 +288,9 @@ static const char *ending_of(const char *file)
     return dot && dot > file ? dot : "";
 }
 
-/* How many bytes of a file's name are its surface's: those before the ending, without what tells repeated scans apart:
- * a number (a-1, a 2, a (3), a4), or a letter behind a mark (a-b, but x, y and z are directions). 0.5 is a value;
- * behind some words the number counts surfaces. */
+/* How many bytes of a file's name name its surface: without ending and without the number (a-1, a 2, a (3), a4) or
+ * letter behind a mark (a-b; but x, y and z are directions) of a repeated scan. 0.5 is a value, and behind some words
+ * the number counts surfaces. */
 static size_t root_length(const char *file)
 {
     static const char *const counted[] = {"surface", "sample", "specimen", "part"};
@@ -311,7 +310,7 @@ static size_t root_length(const char *file)
     return repeated && root > 0 && file[root - 1] != '.' ? root : whole;
 }
 
-/* 0: alike but for the number. The ending of a folder's file has a slash where its name has none. */
+/* 0: they differ only in the number. The "ending" of a file in a folder with a dot holds a slash. */
 static int compare_roots(const char *a, const char *b)
 {
     size_t first = root_length(a), second = root_length(b);
@@ -327,11 +326,11 @@ static int compare_repeats(const void *a, const void *b)
     return order ? order : strverscmp(first, second);
 }
 
-/* Ends of names, behind a mark, of the scans in two directions of a surface. */
+/* Ends of names, behind a mark, of a surface's scans across and along. */
 static const char *const directions[][2] = {{"x", "y"}, {"0", "90"}, {"across", "along"}, {"q", "l"}, {"perp", "par"}};
 
-/* Which of these words a surface's name ends in, one a pair (x 0, y 1, 0 2, ...), before the number of a scan if there
- * is one, and how many bytes are before it; -1: in none. */
+/* Index of the word (x 0, y 1, 0 2, 90 3, ...) that a surface's name ends in, perhaps before the number of a scan, and
+ * the bytes before it; -1: none. */
 static int direction_of(size_t *before, const struct scene_surface *surface)
 {
     const size_t ends[] = {strlen(surface->name), root_length(surface->files.path[0])};
@@ -346,7 +345,7 @@ static int direction_of(size_t *before, const struct scene_surface *surface)
     return -1;
 }
 
-/* How many bytes two names have in common that tell two directions of a surface, the second along; 0: they do not. */
+/* How many bytes two names have in common that mean two directions of a surface, the second along; 0: they do not. */
 static size_t two_directions(const struct scene_surface *one, const struct scene_surface *other)
 {
     size_t length, along;

@@ -93,9 +93,9 @@ void scene_shape_size(struct scene *scene, struct scene_source *source)
 
 /* ---- Files ---- */
 
-/* Moves `count` places to where they are from the corner. They are middles of cells (*cells) or nodes of which the
- * outer ones lie on the edges: what comes nearer to `side`, and is then stretched to it; rounded places of equal steps
- * are put right. The factor of the stretch, 1 where that is rounding; NaN: neither is as long. */
+/* Moves `count` places so that they count from the corner. They are middles of cells (*cells), or nodes of which the
+ * outer ones lie on the edges, whichever comes nearer to `side`, to which they are stretched; equal steps that were
+ * rounded are made equal again. Returns the factor of the stretch, 1 for rounding; NaN: neither is that long. */
 static double fit(bool *cells, double *at, size_t count, double side_m)
 {
     double first = at[0], range = at[count - 1] - first, step = range / (double)(count - 1);
@@ -111,8 +111,7 @@ static double fit(bool *cells, double *at, size_t count, double side_m)
     return fabs(length - side_m) <= balance * side_m ? times : NAN;
 }
 
-/* Lays values at places on the cells. A pressure keeps its force where it is stretched; a height lies at points,
- * between which it is never a step. */
+/* Interpolates values at places to the cells. A stretched pressure keeps its force; heights always lie at points. */
 static bool lay(struct scene_source *source, const char *file, double *const at[2], const size_t count[2],
                 const double *value)
 {
@@ -174,7 +173,7 @@ static bool read_height(struct scene_source *source, const char *file)
     return good;
 }
 
-/* Values without their repetitions, ascending. */
+/* The different values, ascending. */
 static size_t distinct(double *out, const double *value, size_t count)
 {
     size_t kept = 0;
@@ -303,7 +302,7 @@ static int by_load(const void *a, const void *b)
     return (x->mean > y->mean) - (x->mean < y->mean);
 }
 
-/* One field holds at the operating load, which is its own where the scene gives none; several at theirs. */
+/* A single field is of the operating load, which it sets where the scene does not; several have a load each. */
 static bool hold_load(struct scene *scene, struct scene_source *source)
 {
     const struct shape_field *fields = scene->joint.fields;

@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* A scene needs 4 levels and few anchors. libyaml's time grows with the square of both, so they are bounded. */
+/* A scene needs 4 levels and few anchors. libyaml's time grows with the square of both, hence limits. */
 enum { DEEPEST_NESTING = 16, MOST_ANCHORS = 1000 };
 
 const char *const scene_source_yes[2] = {"false", "true"};
@@ -70,7 +70,7 @@ static bool check_event(struct scene_source *source, const yaml_event_t *event, 
     return true;
 }
 
-/* libyaml's time grows with the square of the number of directives, so there may be none. */
+/* Directives are refused: libyaml's time grows with the square of their number. */
 static bool check_directives(struct scene_source *source, const char *bytes, size_t length)
 {
     size_t line = 1;
@@ -82,7 +82,7 @@ static bool check_directives(struct scene_source *source, const char *bytes, siz
     return true;
 }
 
-/* A pass over the events, so that nothing hostile reaches the tree builder; then the tree. */
+/* First a pass over the events, to refuse hostile text; then (`tree`) the tree. */
 static bool parse(struct scene_source *source, const char *bytes, size_t length, bool tree)
 {
     yaml_parser_t parser;
@@ -102,7 +102,7 @@ static bool parse(struct scene_source *source, const char *bytes, size_t length,
     return good;
 }
 
-/* Which of the words the node is, `count` when it is none. */
+/* Index of the word that the node is; `count`: none. */
 static size_t find_word(const yaml_node_t *node, const char *const *words, size_t count)
 {
     return node->type != YAML_SCALAR_NODE
@@ -131,7 +131,7 @@ bool scene_source_read(struct scene_source *source, const char *bytes, size_t le
         !parse(source, bytes, length, true))
         return false;
     const yaml_node_t *root = yaml_document_get_root_node(&source->document);
-    bool good = !root || is_null(root) || scene_source_mapping(source, root, source->whole, source->scene);
+    bool good = !root || is_null(root) || scene_source_mapping(source, root, &scene_keys_whole, source->scene);
     yaml_document_delete(&source->document);
     return good;
 }
@@ -185,7 +185,7 @@ static bool read_value(struct scene_source *source, const struct scene_key *key,
     return key->read(source, key, value, (char *)into + key->at);
 }
 
-/* Of key k, lines[k] and none[k], whether its word is `none` and it says so. */
+/* Reads a key and its value; sets lines[k], and none[k] where the key may be `none` and is. */
 static bool read_pair(struct scene_source *source, const yaml_node_pair_t *pair, const struct scene_mapping *mapping,
                       size_t *lines, bool *none, void *into)
 {
@@ -205,7 +205,7 @@ static bool read_pair(struct scene_source *source, const yaml_node_pair_t *pair,
     size_t n = find_word(name, names, all);
     if (name->type != YAML_SCALAR_NODE)
         return scene_source_fail(source, line, "a key of '%s' is no text; write 'key: value'", mapping->name);
-    if (n == all) { /* an alias is proposed where it is near, but not listed */
+    if (n == all) { /* a near alias is proposed, but aliases are not listed */
         struct scene_words_shown shown = scene_words_show_view(scene_source_scalar(name));
         return scene_source_fail(source, line, "unknown key '%s'; %s", shown.text,
                                  scene_words_hint(shown.text, names, count, all).text);
@@ -223,14 +223,14 @@ static bool read_pair(struct scene_source *source, const yaml_node_pair_t *pair,
     return read_value(source, &key, value, into);
 }
 
-/* One of a list's demands, "b or c": as it is said, and how many of its keys are given. */
+/* One demand of a rule, "b or c": its text in messages, and how many of its keys are given. */
 struct demand {
     char text[160];
     size_t keys, given;
     size_t key; /* the last of them */
 };
 
-/* The next one, advancing `*rest`; false at the end, or without a list. */
+/* The next demand, advancing `*rest`; false at the end, or where *rest is NULL. */
 static bool next_demand(struct demand *out, const char **rest, const struct scene_mapping *mapping, const size_t *lines)
 {
     size_t used = 0;
@@ -289,7 +289,8 @@ bool scene_source_mapping(struct scene_source *source, const yaml_node_t *node, 
                           void *into)
 {
     bool none[SCENE_KEYS_MOST] = {false};
-    size_t own[SCENE_KEYS_MOST] = {0}, *lines = mapping == source->whole ? source->lines : own;
+    const bool whole = mapping == &scene_keys_whole;
+    size_t own[SCENE_KEYS_MOST] = {0}, *lines = whole ? source->lines : own;
     const size_t line = scene_source_line(node);
     if (node->type != YAML_MAPPING_NODE)
         return scene_source_wrong_type(source, node, mapping->name, "'key: value' pairs");
@@ -298,7 +299,7 @@ bool scene_source_mapping(struct scene_source *source, const yaml_node_t *node, 
             return false;
     for (size_t k = 0; k < mapping->count; k++)
         lines[k] = none[k] ? 0 : lines[k];
-    return mapping == source->whole || /* the command line has its say first */
+    return whole || /* options of the command line come first */
            (scene_source_rules(source, mapping, lines, line, into) &&
             (!mapping->then || mapping->then(source, lines, line, into)));
 }
@@ -309,13 +310,18 @@ bool scene_source_within(struct scene_source *source, const struct scene_key *ke
     return scene_source_mapping(source, value, key->within, field);
 }
 
-size_t scene_keys_line(const struct scene_source *source, const char *name)
+size_t scene_keys_find(const char *name)
 {
     size_t k = 0;
-    while (k + 1 < source->whole->count && strcmp(source->whole->keys[k].name, name) != 0)
+    while (k + 1 < scene_key_count && strcmp(scene_keys[k].name, name) != 0)
         k++;
-    assert(strcmp(source->whole->keys[k].name, name) == 0);
-    return source->lines[k];
+    assert(strcmp(scene_keys[k].name, name) == 0);
+    return k;
+}
+
+size_t scene_keys_line(const struct scene_source *source, const char *name)
+{
+    return source->lines[scene_keys_find(name)];
 }
 
 bool scene_source_option(struct scene_source *source, const struct scene_key *key, const char *option, const char *text,
@@ -389,7 +395,7 @@ bool scene_source_choice(struct scene_source *source, const struct scene_key *ke
     return true;
 }
 
-/* The scalar as a string of printable characters, one at least; NULL: failed. */
+/* The scalar as a text of printable characters, not empty; NULL: failed. */
 static const char *read_text(struct scene_source *source, const struct scene_key *key, const yaml_node_t *node)
 {
     const char *problem = NULL;

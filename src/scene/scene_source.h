@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The text of a scene as a tree of nodes that know their lines, and readers for its values. Private to src/scene.
- * What returns false has failed: STATUS_SCENE with file, line and key, or STATUS_MEMORY, in source->status. */
+/* The text of a scene as a tree of nodes with their lines, and readers of values. Private to src/scene. False means
+ * failure: STATUS_SCENE with file, line and key, or STATUS_MEMORY, in source->status. */
 #ifndef SCENE_SCENE_SOURCE_H
 #define SCENE_SCENE_SOURCE_H
 
@@ -13,15 +13,14 @@ enum { SCENE_KEYS_MOST = 48 }; /* of one mapping */
 
 struct scene_mapping;
 struct scene_source {
-    struct scene *scene; /* that is read: its path and directory are known */
+    struct scene *scene; /* with path and directory */
     struct status *status;
     yaml_document_t document;
     const struct scene_overrides *overrides;
-    const char *option;                /* of the command line, where that is read now */
-    bool effects_overridden;           /* by the command line */
-    const struct scene_mapping *whole; /* the scene's keys */
-    size_t lines[SCENE_KEYS_MOST];     /* of those: where the scene gives them, 0: it does not */
-    size_t file_count;                 /* of all surfaces so far */
+    const char *option;            /* of the command line that is being read; NULL: the scene is */
+    bool effects_overridden;       /* by the command line */
+    size_t lines[SCENE_KEYS_MOST]; /* of scene_keys: where the scene gives them; 0: it does not */
+    size_t file_count;             /* of all surfaces so far */
 };
 
 struct scene_key;
@@ -31,8 +30,8 @@ typedef bool scene_reader(struct scene_source *source, const struct scene_key *k
 
 /** One key of a mapping: how its value is read and where it goes. */
 struct scene_key {
-    const char *name; /* what a reader is given has the one the scene uses, `alias` or this */
-    const char *text; /* what it says, and the default; docs/scene.md and the manual page are made from it */
+    const char *name; /* in a reader's argument: as the scene spells it, this or `alias` */
+    const char *text; /* meaning and default; docs/scene.md and the manual page are made from it */
     scene_reader *read;
     size_t at;
     double least, most;         /* numbers: range, inclusive; short text: `most` is the size of the array */
@@ -40,13 +39,13 @@ struct scene_key {
     size_t choice_count;
     const char *word;    /* numbers: a word that leaves the default, or NULL */
     unsigned quantities; /* quantities: what they may be, enum unit_quantity bits */
-    const char *alias;   /* an older name, or NULL: not shown in messages where the other will do */
-    size_t given;        /* offset of a bool that tells that it is; 0: there is none */
-    /* What it asks of the other keys of its mapping, or NULL. A list: "a, b or c" is a, and one of b and c. */
-    const char *needs;                  /* what has to stand beside it */
-    const char *excludes;               /* what may not: of "a, b" neither */
-    const char *above;                  /* quantities: the key whose number has to be less */
-    const struct scene_mapping *within; /* that its value is, or each of a list; NULL: none, or made as it is read */
+    const char *alias;   /* an older name, or NULL */
+    size_t given;        /* offset of a bool that becomes true; 0: none */
+    /* Rules about other keys of its mapping, or NULL. A list: "a, b or c" is a, and one of b and c. */
+    const char *needs;                  /* these must be given, too */
+    const char *excludes;               /* none of these may be given */
+    const char *above;                  /* quantities: the key whose number must be less */
+    const struct scene_mapping *within; /* of the value, or of each item; NULL: none, or made while reading */
 };
 
 /** The keys of scene.yaml, which lie in a struct scene. */
@@ -54,44 +53,45 @@ extern const struct scene_key scene_keys[];
 extern const size_t scene_key_count;
 extern const struct scene_mapping scene_keys_whole;
 extern const struct scene_key *const scene_budget_key; /* of struct scene_direct */
-/** The line that gives the key of that name; 0: none does. */
+/** Index of the key of that name, which exists; the line that gives it, 0: none does. */
+size_t scene_keys_find(const char *name);
 size_t scene_keys_line(const struct scene_source *source, const char *name);
 
-/** Parses `bytes` and reads the keys of source->whole, unless the text says nothing; their rules wait for what else is
- * known. Errors: not YAML, nested too deep, more than one document, those of the keys. */
+/** Parses `bytes` and reads the keys of the scene; their rules are checked later. Errors: not YAML, nested too
+ * deep, more than one document, those of the keys. */
 MUST_CHECK bool scene_source_read(struct scene_source *source, const char *bytes, size_t length);
-/** A mapping's name, for messages, its keys, and what it asks for, both lists as those of a key. */
+/** A mapping: its name in messages, its keys, and its rules, lists as those of a key. */
 struct scene_mapping {
     const char *name;
     const struct scene_key *keys;
     size_t count;
-    const char *needs;  /* what has to be there */
-    const char *one_of; /* of "a or b" exactly one has to */
-    /* What follows once it is read and its rules are kept, or NULL; it stands in line `line`, its keys in lines[k]. */
+    const char *needs;  /* these must be given */
+    const char *one_of; /* of "a or b" exactly one must be */
+    /* Called once it is read and its rules hold, or NULL; it stands in line `line`, its keys in lines[k]. */
     bool (*then)(struct scene_source *source, const size_t *lines, size_t line, void *into);
 };
 #define SCENE_MAPPING(name, keys)    SCENE_RULED(name, keys, .needs = NULL)
 #define SCENE_RULED(name, keys, ...) (&(const struct scene_mapping){(name), (keys), SCENE_COUNT(keys), __VA_ARGS__})
-/** Fails where a rule is broken: by keys that stand in lines[k], 0: they do not, of a mapping in line `line` that was
- * read into `into`. */
+/** Fails where a rule is broken. Key k stands in lines[k] (0: not given), the mapping in `line`, values in `into`. */
 bool scene_source_rules(struct scene_source *source, const struct scene_mapping *mapping, const size_t *lines,
                         size_t line, const void *into);
-/** Reads it into `into`, checks its rules and does what is to follow. A key stands in no line, too, where its word is
- * `none` and it says so. Of source->whole source->lines is filled alone. */
+/** Reads a mapping into `into`, checks its rules and calls `then`. A key that may be `none` and is counts as not given.
+ * Of
+ * scene_keys_whole it only fills source->lines. */
 MUST_CHECK bool scene_source_mapping(struct scene_source *source, const yaml_node_t *node,
                                      const struct scene_mapping *mapping, void *into);
-/** Reads the text of an option of the command line as the value of `key`. Error: STATUS_USAGE. */
+/** Reads an option of the command line as the value of `key`. Error: STATUS_USAGE. */
 bool scene_source_option(struct scene_source *source, const struct scene_key *key, const char *option, const char *text,
                          void *into);
 
-/** Items of a node that is a list or stands for a list of one. */
+/** Items of a node that is a list, or itself the one item. */
 size_t scene_source_item_count(const yaml_node_t *node);
 const yaml_node_t *scene_source_item(struct scene_source *source, const yaml_node_t *node, size_t i);
 size_t scene_source_line(const yaml_node_t *node);
 /** Is it the plain or quoted scalar `word`? */
 bool scene_source_is(const yaml_node_t *node, const char *word);
 
-/** Fails with "path:line: " before the message, or with the option that is read now; the line may be that of a node. */
+/** Fails with "path:line: " before the message, or with the option being read. */
 bool scene_source_fail(struct scene_source *source, size_t line, const char *format, ...) PRINTF_LIKE(3, 4);
 #define FAIL_KEY(source, key, ...)              scene_source_fail((source), scene_keys_line((source), (key)), __VA_ARGS__)
 #define scene_source_fail_at(source, node, ...) scene_source_fail((source), scene_source_line(node), __VA_ARGS__)
@@ -106,15 +106,14 @@ struct string_view scene_source_scalar(const yaml_node_t *node);
 /** Fails: out of memory. */
 bool scene_source_memory(struct scene_source *source);
 
-/** To stand in scene_key.read; the field is a double (a number in SI or, where the quantities have units, with its
- * unit), two of them, a size_t, an enum, a malloc'ed char *, a char array. */
+/** For scene_key.read; the field is a double in SI, two of them, a size_t, enum, malloc'ed char *, or char array. */
 scene_reader scene_source_quantity, scene_source_pair, scene_source_whole, scene_source_choice, scene_source_text,
     scene_source_short_text;
 /** The mapping key->within. */
 scene_reader scene_source_within;
 /** The spelling of a unit of key->quantities, into a char[UNIT_LENGTH]. */
 scene_reader scene_source_unit;
-/** A quantity with all there is to know of it. */
+/** A quantity with its kind and unit. */
 bool scene_source_quantity_of(struct scene_quantity *out, struct scene_source *source, const struct scene_key *key,
                               const yaml_node_t *value);
 
@@ -156,29 +155,25 @@ extern const struct scene_mapping scene_surfaces_measured;
 /** One file or a list of them, each checked to exist, into a struct scene_files. */
 scene_reader scene_surfaces_files;
 
-/** What bodies lack for an effect, to stand in a message: "'resistivity'; add it to 'material' of surface 'b'";
- * `owner`: the surface's name, NULL: the scene's bodies. False: nothing. */
+/** What bodies lack for an effect, for a message: "'resistivity'; add it to 'material' of surface 'b'"; `owner`: the
+ * surface's name, NULL: the scene's bodies. False: nothing. */
 struct scene_lack_words {
     char text[240];
 };
 bool scene_lack_words(struct scene_lack_words *out, const struct scene_bodies *bodies, const char *owner,
                       const struct effect_row *effect);
 
-/* Files of a directory: those that a pattern matches, in natural order. */
-/** Adds to `files` what `pattern` (fnmatch(3); its last component alone is one) matches, below the scene's
- * directory unless it is absolute, and is of `kind`, S_IFREG or S_IFDIR; in natural order (2 before 10). Hidden files
- * and sidecars of others among them are left out. None may match. Errors: STATUS_IO: the directory cannot be listed;
- * STATUS_SCENE: it has more files than LIMIT_FILES; STATUS_MEMORY. */
+/** Adds to `files` those of `kind` (S_IFREG, S_IFDIR) whose last component matches that of `pattern` (fnmatch(3)),
+ * below the scene's directory unless it is absolute, in natural order, without hidden files and sidecars; perhaps none.
+ * Errors: STATUS_IO: the directory cannot be listed; STATUS_SCENE: LIMIT_FILES; STATUS_MEMORY. */
 MUST_CHECK enum status_code scene_files_match(struct scene_files *files, const struct scene *scene, const char *pattern,
                                               mode_t kind, struct status *status);
 
 /** Adds one file. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code scene_files_add(struct scene_files *files, const char *file, struct status *status);
 
-/** Adds to a scene without surfaces one for each regular file of its directory that is not hidden, not
- * scene.yaml, no sidecar, and may be a scan, and one for each such sub-directory that holds files, which are its
- * repeated scans; what is passed over is told in scene->passed_over; names and order as scene_read() says. Errors:
- * STATUS_IO, STATUS_MEMORY. */
+/** Adds to a scene without surfaces one for each scan of its directory, as scene_read() says, and one for each
+ * sub-directory of repeated scans; scene->passed_over names the rest. Errors: STATUS_IO, STATUS_MEMORY. */
 enum status_code scene_files_list(struct scene *scene, struct status *status);
 
 /** The name of a surface read from `file`: its last component, without the ending unless `ending`; malloc'ed. */
@@ -189,15 +184,14 @@ void scene_surfaces_free(struct scene_surface *surface);
 
 /** How the parts are shaped, into a struct scene. */
 extern const struct scene_mapping scene_shape_ways;
-/** The sides of the nominal area, once that is known, and its fields, once the bodies are. */
+/** Completes the sides of the nominal area, once that is known, and the fields, once the bodies are. */
 void scene_shape_size(struct scene *scene, struct scene_source *source);
 void scene_shape_complete(struct scene *scene, struct scene_source *source);
 void scene_shape_free(struct scene *scene);
 
-/* What a scene asks of the contact, into a struct scene: `targets`, a list of `key: value` pairs, each a quantity,
- * whose load is sought; `limits` to be kept, `key: {most: value, least: value}`. */
+/* Into a struct scene: `targets`, a list of {quantity: value}; `limits`, {quantity: {most: value, least: value}}. */
 scene_reader scene_asked_read;
-/** Turns what was read into the models' quantities, now that the nominal area is known. */
+/** Turns them into the models' quantities, once the nominal area is known. */
 void scene_asked_complete(struct scene *scene, struct scene_source *source);
 
 #endif

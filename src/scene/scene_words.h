@@ -1,20 +1,19 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Names in messages: hostile text made printable, and the nearest known name for one that is unknown. */
+/* Names in messages: text from outside made printable, and the known name nearest to an unknown one. */
 #ifndef SCENE_SCENE_WORDS_H
 #define SCENE_SCENE_WORDS_H
 
 #include "base/unit.h"
 #include "scan/string_view.h"
 
-/** Text fit for a one-line message: control characters as '?', the end of a long one as "...". */
+/** Text for a one-line message: control characters become '?', a long text ends with "...". */
 struct scene_words_shown {
     char text[84];
 };
 struct scene_words_shown scene_words_show(const char *text);
 struct scene_words_shown scene_words_show_view(struct string_view text);
 
-/** "did you mean 'x'?" when one of the `all` names is near `word`, else "allowed: a, b, c", the first `count` of them.
- */
+/** "did you mean 'x'?" when one of the `all` names is near `word`, else "allowed: a, b, c", the first `count`. */
 struct scene_words_hint {
     char text[500];
 };
@@ -36,9 +35,8 @@ struct scene_quantity {
     char text[UNIT_LENGTH]; /* the same, its characters as text_character() allows; "": none */
 };
 
-/** Reads `4 mm2`, `2.5um`, `1e4 W/m2/K`, `20 degC`, `10 %` or a number alone, which is in SI; `quantities` has the enum
- * unit_quantity bits it may be. False when it is no number (an infinity on overflow is
- * one), or what stands behind is no unit of one of them. */
+/** Reads `4 mm2`, `2.5um`, `1e4 W/m2/K`, `20 degC`, `10 %` or a plain number in SI; `quantities`: the enum
+ * unit_quantity bits that it may be. False: no number (an overflow gives infinity), or a unit of none. */
 bool scene_quantity_read(struct scene_quantity *out, struct string_view text, unsigned quantities);
 
 /** What to write for one, to end a message: "a number in Pa or one with its unit: Pa, kPa, ...". */

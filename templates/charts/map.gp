@@ -27,15 +27,18 @@ set label '■ in contact' at screen 0.095, screen 0.05 left textcolor rgb '#cc5
 set label '■ yielded, at the hardness' at screen 0.24, screen 0.05 left textcolor rgb '#1257d0'
 {{/flows}}
 set arrow from 0, {{section}} to {{side}}, {{section}} nohead lc rgb ink lw 1 dt 2 front
-cell = {{cell}}
-plot '{{name}}.csv' index 0 matrix using (($1+0.5)*cell):(($2+0.5)*cell):3 with image notitle, \
- '{{name}}.csv' index 1 matrix using (($1+0.5)*cell):(($2+0.5)*cell):($3>1?18:204):($3>1?87:85):($3>1?208:0):($3>0?255:0) with rgbalpha notitle
+plot '{{name}}.csv' index 0 nonuniform matrix using 1:2:3 with image notitle
 
-unset label; unset arrow; unset colorbox
-set grid xtics ytics lc rgb '#e3e3e3' lw 0.7 dt 1
+# What touches, over it: what does not is left out
+unset label; unset arrow; unset colorbox; unset xtics; unset ytics; unset xlabel; unset border
+set palette maxcolors 2 defined (1 '#cc5500', 2 '#1257d0')
+set cbrange [1:2]; set xrange [-0.5:{{cells}}-0.5]; set yrange [-0.5:{{cells}}-0.5]
+plot '{{name}}.csv' index 1 using 1:2:3 with image notitle
+
+{{> charts/style}}
 set lmargin at screen 0.60; set rmargin at screen 0.975
-set xtics autofreq; set ytics autofreq
-set yrange [0:*]
+set xtics nomirror autofreq; set ytics nomirror autofreq
+set xrange [0:{{side}}]; set yrange [0:*]
 set xlabel 'x along the dashed line ({{length_unit}})' offset 0,0.6
 set label 'pressure{{#has_material}} (MPa){{/has_material}}{{^has_material}} / E′{{/has_material}}' at screen 0.525, graph 0.5 center rotate by 90
 {{#hardness}}

@@ -4,12 +4,6 @@
 
 #include <float.h>
 
-static void assert_text(struct text *text, const char *expected)
-{
-    assert_string_equal(text_string(text), expected);
-    text_free(text);
-}
-
 /* Plain numbers; powers of ten; what rounds up to one is shown as that; signs and zero; what is no number. */
 TEST_CASE(test_numbers)
 {
@@ -53,9 +47,9 @@ TEST_CASE(test_numbers)
         {-INFINITY, 3, "–"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        struct text text = {0};
-        number_format(&text, cases[i].value, cases[i].digits);
-        assert_text(&text, cases[i].expected);
+        struct text *text = support_text();
+        number_format(text, cases[i].value, cases[i].digits);
+        assert_string_equal(text_string(text), cases[i].expected);
     }
 }
 
@@ -70,9 +64,9 @@ TEST_CASE(test_ranges)
                  {1.001, 1.002, 4, "1.001 to 1.002"},
                  {-1e-6, 0, 1, "−1·10⁻⁶ to 0"}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        struct text text = {0};
-        number_format_range(&text, cases[i].least, cases[i].most, cases[i].digits);
-        assert_text(&text, cases[i].expected);
+        struct text *text = support_text();
+        number_format_range(text, cases[i].least, cases[i].most, cases[i].digits);
+        assert_string_equal(text_string(text), cases[i].expected);
     }
 }
 
@@ -95,9 +89,9 @@ TEST_CASE(test_value_and_error_have_the_same_decimals)
         {NAN, 1, "–"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        struct text text = {0};
-        number_format_uncertain(&text, cases[i].value, cases[i].error);
-        assert_text(&text, cases[i].expected);
+        struct text *text = support_text();
+        number_format_uncertain(text, cases[i].value, cases[i].error);
+        assert_string_equal(text_string(text), cases[i].expected);
     }
 }
 
@@ -121,6 +115,7 @@ TEST_CASE(test_exact)
         double value = k < listed ? some[k] : k % 3 ? any : rounded;
         snprintf(expected, sizeof expected, "%.17g", value);
         number_exact(&text, value);
-        assert_text(&text, expected);
+        assert_string_equal(text_string(&text), expected);
+        text_free(&text);
     }
 }

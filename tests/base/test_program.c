@@ -38,10 +38,9 @@ static enum program_state run(char *lines, double seconds, int *how)
 
 PLACED(test_find)
 {
-    char path[4096], *before = lasting("%s", getenv("PATH")), *with = NULL;
+    char path[4096], *before = lasting("%s", getenv("PATH"));
     directory_write(&directory_here, "tool", "#!/bin/sh\n");
-    with = lasting("relative::%s:%s", directory_here.path, before);
-    assert_int_equal(setenv("PATH", with, 1), 0);
+    assert_int_equal(setenv("PATH", filled("relative::%s:%s", directory_here.path, before), 1), 0);
     assert_false(program_find(path, sizeof path, "tool")); /* no program yet */
     assert_int_equal(chmod(directory_path(&directory_here, "tool"), 0700), 0);
     assert_true(program_find(path, sizeof path, "tool"));
@@ -51,16 +50,15 @@ PLACED(test_find)
     assert_int_equal(setenv("PATH", before, 1), 0);
 }
 
-/* It gets both outputs, its directory, no input, a process group of its own, nothing of the environment but PATH, and
- * the usual signals though this program holds them back and ignores some. */
+/* It gets both outputs, its directory, no input, a process group of its own, of the environment only PATH, and the
+ * default signals, though this program blocks and ignores some. */
 PLACED(test_what_it_gets)
 {
     int how;
-    char expected[600],
-        first[] = "pwd; echo \"$HOME $LC_ALL $KEPT $PATH\"; echo complaint >&2; read line || echo no input\n"
-                  "[ $(cut -d' ' -f5 /proc/$$/stat) = $$ ] && echo its own group\n"
-                  "grep SigIgn /proc/self/status",
-        second[] = "exec grep SigBlk /proc/self/status"; /* a shell lets signals in itself */
+    char first[] = "pwd; echo \"$HOME $LC_ALL $KEPT $PATH\"; echo complaint >&2; read line || echo no input\n"
+                   "[ $(cut -d' ' -f5 /proc/$$/stat) = $$ ] && echo its own group\n"
+                   "grep SigIgn /proc/self/status",
+         second[] = "exec grep SigBlk /proc/self/status"; /* a shell lets signals in itself */
     sigset_t signals;
     void (*pipes)(int) = signal(SIGPIPE, SIG_IGN);
     sigfillset(&signals);
@@ -70,10 +68,10 @@ PLACED(test_what_it_gets)
     assert_int_equal(setenv("PATH", "/usr/bin:/bin:/kept", 1), 0);
     assert_int_equal(run(first, 60, &how), PROGRAM_ENDED);
     assert_int_equal(how, 0);
-    snprintf(expected, sizeof expected,
-             "%s\n C.UTF-8  /usr/bin:/bin:/kept\ncomplaint\nno input\nits own group\nSigIgn:\t0000000000000000\n",
-             directory_here.path);
-    directory_holds(&directory_here, "said", expected);
+    directory_holds(&directory_here, "said",
+                    filled("%s\n C.UTF-8  /usr/bin:/bin:/kept\ncomplaint\nno input\nits own group\n"
+                           "SigIgn:\t0000000000000000\n",
+                           directory_here.path));
     assert_int_equal(run(second, 60, &how), PROGRAM_ENDED);
     directory_holds(&directory_here, "said", "SigBlk:\t0000000000000000\n");
     pthread_sigmask(SIG_UNBLOCK, &signals, NULL);
@@ -102,7 +100,6 @@ PLACED(test_how_it_ends)
 PLACED(test_it_ends_with_its_parent)
 {
     int how;
-    char number[32] = "";
     assert_int_equal(prctl(PR_SET_CHILD_SUBREAPER, 1), 0);
     pid_t parent = fork();
     assert_true(parent >= 0);
@@ -111,14 +108,12 @@ PLACED(test_it_ends_with_its_parent)
         pid_t process;
         if (start(&process, lines, "/") != 0)
             _exit(1);
-        snprintf(number, sizeof number, "%d", (int)process);
-        directory_write(&directory_here, "number", number);
+        directory_write(&directory_here, "number", filled("%d", (int)process));
         raise(SIGKILL);
     }
     assert_int_equal(waitpid(parent, &how, 0), parent);
     assert_true(WIFSIGNALED(how) && WTERMSIG(how) == SIGKILL);
-    char *text = directory_read(&directory_here, "number");
-    pid_t process = (pid_t)atoi(text), gone = 0;
+    pid_t process = (pid_t)atoi(directory_read(&directory_here, "number")), gone = 0;
     assert_true(process > 0);
     for (double until = clock_seconds() + 60; gone == 0 && clock_seconds() < until;)
         gone = waitpid(process, &how, WNOHANG); /* it is this one's child now */

@@ -108,7 +108,7 @@ static struct direct_result direct_case(size_t n, double hardness)
     must(direct_surface_make(height_m, n, &(struct direct_recipe){direct_spectrum_variance, &spectrum, NULL, 0}, 1,
                              &status));
     double before = bytes_held();
-    must(direct_contact_make(&contact, height_m, &(struct direct_grid){n, n, 3e-4 / (double)n, false}, &status));
+    must(direct_contact_make(&contact, height_m, &(struct direct_grid){n, n, 3e-4 / (double)n, false, false}, &status));
     for (int run = 0; run < DIRECT_RUNS; run++) {
         double started = clock_seconds(), cpu = cpu_seconds();
         must(direct_contact_solve(&contact, &load, &status));

@@ -2,6 +2,9 @@
 #include "cli/process.h"
 
 #include "base/hash.h"
+#include "contact/effect.h"
+#include "contact/model.h"
+#include "material/material.h"
 #include "profile/synth.h"
 #include <ctype.h>
 #include <errno.h>
@@ -113,9 +116,11 @@ struct process process_expect(struct process process, int status, const char *fi
     return process;
 }
 
-void process_expect_only(struct process process, int status, const char *file, int line)
+struct process process_report(const char *place, const char *out, const char *scene, const char *file, int line)
 {
-    process_expect(process, status, file, line);
+    if (scene)
+        directory_write(place, "d/scene.yaml", scene);
+    return process_expect(process_run(place, "report", "d", "-o", out, "--no-cost"), 0, file, line);
 }
 
 void process_expect_parts(struct process process, bool out, const char *const *parts, const char *file, int line)
@@ -123,17 +128,88 @@ void process_expect_parts(struct process process, bool out, const char *const *p
     support_parts(out ? process.out : process.err, parts, true, file, line);
 }
 
+json_t *json_at(const json_t *json, const char *path)
+{
+    char *parts = strdup(path);
+    for (char *rest = parts, *part; (part = strsep(&rest, "."));)
+        json = json_is_array(json) ? json_array_get(json, strtoul(part, NULL, 10)) : json_object_get(json, part);
+    free(parts);
+    return (json_t *)json;
+}
+
+double json_number_at(const json_t *json, const char *path)
+{
+    if (!json_is_number(json_at(json, path)))
+        fail_msg("no number '%s'", path);
+    return json_number_value(json_at(json, path));
+}
+
+const char *json_text_at(const json_t *json, const char *path)
+{
+    if (!json_is_string(json_at(json, path)))
+        fail_msg("no text '%s'", path);
+    return json_string_value(json_at(json, path));
+}
+
+static bool is_row_name(const char *key, bool properties)
+{
+    bool is = strcmp(key, "area") == 0; /* the base of the table of work */
+    for (size_t m = 0; m < model_count; m++)
+        is = is || strcmp(key, model_rows[m]->name) == 0;
+    for (size_t p = 0; p < material_property_count && !properties; p++)
+        is = is || strcmp(key, material_properties[p].key) == 0;
+    for (int e = 0; e < EFFECT_COUNT; e++)
+        is = is || strcmp(key, effect_rows[e].name) == 0;
+    return is;
+}
+
+size_t expect_keys_described(const char *document, json_t *json, bool properties)
+{
+    size_t keys = 0, index;
+    const char *key;
+    json_t *value;
+    json_object_foreach(json, key, value)
+    {
+        if (!is_row_name(key, properties))
+            expect_part(document, filled("`%s`", key));
+        keys += 1 + expect_keys_described(document, value, properties);
+    }
+    if (json_is_array(json))
+        json_array_foreach(json, index, value) keys += expect_keys_described(document, value, properties);
+    return keys;
+}
+
+size_t table_find(const struct table *table, size_t from, const char *column, const char *text)
+{
+    while (from < table->rows && strcmp(table_text(table, from, column), text) != 0)
+        from++;
+    if (from == table->rows)
+        fail_msg("no row with %s '%s'", column, text);
+    return from;
+}
+
+void expect_narrow(const char *text)
+{
+    for (; *text; text += strcspn(text, "\n"), text += *text == '\n')
+        if (text_width(text, strcspn(text, "\n")) > 80)
+            fail_msg("wider than 80 columns: %.200s", text);
+}
+
+size_t times(const char *text, const char *part)
+{
+    size_t count = 0;
+    for (; (text = strstr(text, part)); text++)
+        count++;
+    return count;
+}
+
 void process_expect_failure(struct process process, int status, size_t lines, const char *message, const char *file,
                             int line)
 {
-    size_t count = 0;
-    for (const char *p = process.err; *p; p++)
-        count += *p == '\n';
-    if (process.status != status)
-        complain(&process, "unexpected exit status", file, line);
+    process_expect(process, status, file, line);
     if (process.out[0])
         complain(&process, "a failure wrote to stdout", file, line);
-    if (count != lines)
+    if (times(process.err, "\n") != lines)
         complain(&process, "unexpected number of lines on stderr", file, line);
     if (!strstr(process.err, message)) {
         print_error("missing: %s\n", message);
@@ -154,6 +230,18 @@ void workspace_scan(const char *place, const char *path, size_t points, unsigned
     for (size_t i = 0; i < points; i++)
         text_add(csv, "%.1f,%.6f\n", 0.5 * (double)i, height_m[i] * 1e6);
     directory_write(place, path, text_string(csv));
+}
+
+void workspace_scans(const char *place, const char *folder, unsigned count, size_t points, unsigned seed)
+{
+    for (unsigned i = 0; i < count; i++)
+        workspace_scan(place, filled("%s/%c.csv", folder, (char)('a' + i)), points, seed + i);
+}
+
+void workspace_write_bytes(const char *place, const char *path, const char *bytes, size_t length)
+{
+    workspace_write(place, path, ""); /* makes its folder */
+    expect_ok(text_write_file, directory_path(place, path), bytes, length);
 }
 
 static int by_name(const FTSENT **a, const FTSENT **b)
@@ -227,7 +315,7 @@ void process_expect_numbers(const char *text, const char *where)
     }
 }
 
-/* What must stand nowhere; what is not in the list is ASCII or may be seen. */
+/* Characters that must not be written: controls, and those that are not visible. */
 static bool is_forbidden(unsigned long code)
 {
     return (code < 0x20 && code != '\n' && code != '\t') || (code >= 0x7f && code < 0xa0) || code == 0xad ||
@@ -294,12 +382,10 @@ void workspace_take_back(char *path)
 
 bool workspace_can_run(const char *place, const char *line)
 {
-    const char *const command[] = {"sh", "-c", line, NULL};
-    return process_end(process_start_list(place, command, NULL)).status == 0;
+    return run_program(place, "sh", "-c", line).status == 0;
 }
 
 char *workspace_shell(const char *place, const char *line)
 {
-    const char *const command[] = {"sh", "-ec", line, NULL};
-    return process_expect(process_end(process_start_list(place, command, NULL)), 0, __FILE__, __LINE__).out;
+    return expect_status(run_program(place, "sh", "-ec", line), 0).out;
 }

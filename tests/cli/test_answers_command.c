@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Targets and limits on the command line: what they write, what they end with, and that without them there is nothing.
- */
+/* Targets and limits: what the program writes, its exit status, and nothing of them where none is asked. */
 #include "cli/process.h"
 #include "contact/model.h"
 
@@ -8,12 +7,6 @@
 #define JOINT                                                                                                          \
     "material: tin\nnominal_area: 1 mm2\nfilm: 1e-12 ohm m2\ncurrent: 5 A\n"                                           \
     "gap: {gas: air, pressure: 1 atm}\nmodels: [corrected-persson, statistical, cmy]\n"
-
-static void scans(const char *place)
-{
-    workspace_scan(place, "in/a.csv", 300, 1);
-    workspace_scan(place, "in/b.csv", 300, 2);
-}
 
 /** Runs a scene. */
 static struct process run_scene(const char *place, int status, const char *text, const char *check)
@@ -25,24 +18,22 @@ static struct process run_scene(const char *place, int status, const char *text,
 
 TEST_IN_WORKSPACE(targets_are_answered)
 {
-    scans(place);
+    workspace_scans(place, "in", 2, 300, 1);
     struct process run = run_scene(place, 0, SCENE "targets: [{ecr: 0.1 mohm}, {area: 5 %}]\n", NULL);
     expect_parts(run.out, "To reach 0.1\u00a0mΩ, a needs ", "\n- A/Aₙ 5\u00a0% needs ", " on ");
-    char *report = workspace_read(place, "out/report.md");
-    char *results = workspace_read(place, "out/results.json");
-    expect_part(report, "\n\n**To reach 0.1\u00a0mΩ, *a* needs "); /* the first thing said */
-    expect_parts(report, "| surface | force for 0.1\u00a0mΩ (", "\n- A/Aₙ 5\u00a0% needs ");
-    expect_part(results, "\"answers\": [");
-    expect_no_part(results, "\"limits\"");
+    expect_in_file(place, "out/report.md", "\n\n**To reach 0.1\u00a0mΩ, *a* needs ",
+                   "| surface | force for 0.1\u00a0mΩ (", "\n- A/Aₙ 5\u00a0% needs ");
+    expect_in_file(place, "out/results.json", "\"answers\": [");
+    expect_not_in_file(place, "out/results.json", "\"limits\"");
     struct table table = workspace_table(place, "out/data/answers.csv");
     size_t intervals = 0;
     for (size_t i = 0; i < table.rows; i++) { /* force = P/(A_n E') times E' times 1 mm², of all models alike */
         double load = table_number(&table, i, "load_over_AnEp");
-        if (strlen(table_text(&table, i, "load_N")) == 0)
+        if (!*table_text(&table, i, "load_N"))
             continue;
         assert_near(table_number(&table, i, "load_N") / load,
                     table_number(&table, 0, "load_N") / table_number(&table, 0, "load_over_AnEp"), 1e-14);
-        if (strlen(table_text(&table, i, "low")) == 0 || strlen(table_text(&table, i, "high")) == 0)
+        if (!*table_text(&table, i, "low") || !*table_text(&table, i, "high"))
             continue;
         assert_true(table_number(&table, i, "low") <= load && load <= table_number(&table, i, "high"));
         intervals++;
@@ -52,7 +43,7 @@ TEST_IN_WORKSPACE(targets_are_answered)
 
 TEST_IN_WORKSPACE(a_missed_limit_ends_with_5)
 {
-    scans(place);
+    workspace_scans(place, "in", 2, 300, 1);
     static const char missed[] =
         SCENE "operating_load: 10 N\nlimits: {conductance: {least: 1e12 W/m2/K}, area: {least: 1e-9}}\n";
     struct process run = run_scene(place, 5, missed, "--check");
@@ -69,8 +60,8 @@ TEST_IN_WORKSPACE(a_missed_limit_ends_with_5)
     run_scene(place, 1, SCENE "limits: {area: {least: 1e-9}}\n", "--check");
 }
 
-/* Of one scan the interval of ECR is wide: a limit in it is undecided (6), one above it met (0), one below it missed
- * (5, also beside an undecided one). data/limits.csv, results.json and the first page have one word for each. */
+/* One scan gives a wide interval of ECR: a limit within it is undecided (status 6), above it met (0), below it missed
+ * (5, also beside an undecided one). data/limits.csv, results.json and the first page use the same word. */
 TEST_IN_WORKSPACE(an_undecided_limit_ends_with_6)
 {
     static const struct {
@@ -87,13 +78,11 @@ TEST_IN_WORKSPACE(an_undecided_limit_ends_with_6)
     struct table table = workspace_table(place, "out/data/limits.csv");
     const double ohm = table_number(&table, 0, "value") / 1e-6;
     for (size_t c = 0; c < sizeof cases / sizeof *cases; c++) {
-        struct text *limit = support_text();
-        if (cases[c].least > 0)
-            text_add(limit, "least: %.9g ohm, ", cases[c].least * ohm);
+        const char *least = cases[c].least > 0 ? filled("least: %.9g ohm, ", cases[c].least * ohm) : "";
         struct process run = run_scene(
             place, cases[c].status,
             filled(SCENE "operating_load: 10 N\nlimits: {ecr: {%smost: %.9g ohm}, conductance: {least: 1 W/m2/K}}\n",
-                   text_string(limit), cases[c].most * ohm),
+                   least, cases[c].most * ohm),
             "--check");
         table = workspace_table(place, "out/data/limits.csv");
         size_t row = cases[c].least > 0;
@@ -107,12 +96,11 @@ TEST_IN_WORKSPACE(an_undecided_limit_ends_with_6)
             assert_near(table_number(&table, i, is_most ? "most" : "least"),
                         1e-6 * ohm * (is_most ? cases[c].most : cases[c].least), 1e-8);
             assert_near(table_number(&table, i, "value"), 1e-6 * ohm, 1e-12);
-            assert_true(table_number(&table, i, "low") > 0.1 * 1e-6 * ohm &&
-                        table_number(&table, i, "low") < 1e-6 * ohm);
-            assert_true(table_number(&table, i, "high") < 10 * 1e-6 * ohm &&
-                        table_number(&table, i, "high") > 1.2 * 1e-6 * ohm);
-            json_t *json = json_array_get(json_object_get(workspace_json(place, "out/results.json"), "limits"), i);
-            assert_string_equal(json_string_value(json_object_get(json, "verdict")), verdict);
+            const double low = table_number(&table, i, "low") / (1e-6 * ohm),
+                         high = table_number(&table, i, "high") / (1e-6 * ohm);
+            assert_true(low > 0.1 && low < 1 && high > 1.2 && high < 10);
+            assert_string_equal(
+                json_text_at(workspace_json(place, "out/results.json"), filled("limits.%zu.verdict", i)), verdict);
             expect_in_file(place, "out/report.md", verdict);
         }
         assert_string_equal(table_text(&table, row + 1, "quantity"), "tcr_K_m2_per_W"); /* at least so much conducts */
@@ -126,7 +114,7 @@ TEST_IN_WORKSPACE(an_undecided_limit_ends_with_6)
     }
 }
 
-/* A load above the hardness: there is no value, which is not met. */
+/* Above the hardness there is no value, so a limit is not met. */
 TEST_IN_WORKSPACE(a_limit_without_a_value_is_not_met)
 {
     workspace_scan(place, "in/a.csv", 300, 1);
@@ -143,7 +131,7 @@ TEST_IN_WORKSPACE(a_limit_without_a_value_is_not_met)
 
 TEST_IN_WORKSPACE(a_check_of_nothing_is_refused)
 {
-    scans(place);
+    workspace_scans(place, "in", 2, 300, 1);
     workspace_write(place, "in/scene.yaml", SCENE);
     expect_failure(place, 2, 1, "--check: the scene has no 'limits' to check", "report", "in", "-o", "out", "--check");
     assert_false(workspace_has(place, "out"));
@@ -153,42 +141,17 @@ TEST_IN_WORKSPACE(a_check_of_nothing_is_refused)
     expect_no_part(run.out, "needs");
 }
 
-/** Reads "0.396" or "3.05·10⁻⁴"; returns what follows. */
-static const char *read_shown(double *out, const char *at)
-{
-    static const char *const digits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-    char *end;
-    int power = 0, sign = 1;
-    *out = strtod(at, &end);
-    if (strncmp(end, "·10", strlen("·10")) != 0)
-        return end;
-    at = end + strlen("·10");
-    if (strncmp(at, "⁻", strlen("⁻")) == 0) {
-        sign = -1;
-        at += strlen("⁻");
-    }
-    for (int d = 0; d < 10; d++)
-        if (strncmp(at, digits[d], strlen(digits[d])) == 0) {
-            power = 10 * power + d;
-            at += strlen(digits[d]);
-            d = -1;
-        }
-    *out *= pow(10, sign * power);
-    return at;
-}
-
-/** What the first table says of a target is in answers.csv, rounded: load and interval, in the loads' unit. */
+/** The first table has load and interval of a target as answers.csv has them, rounded and in the loads' unit. */
 TEST_IN_WORKSPACE(the_first_table_is_of_the_data)
 {
-    scans(place);
-    workspace_scan(place, "in/c.csv", 300, 3);
+    workspace_scans(place, "in", 3, 300, 1);
     run_scene(place, 0,
               "material: tin\nnominal_area: 1 mm2\nload: {from: 0.01 N, to: 1 kN, points: 31}\n"
               "effects: [plasticity, electrical, uncertainty]\ntargets: [{ecr: 0.1 mohm}]\n"
               "surfaces: [{name: a, file: [a.csv, b.csv]}, {name: c, file: c.csv}]\n",
               NULL);
     json_t *view = workspace_json(place, "out/view.json"), *rows = json_object_get(view, "rows"), *row;
-    const char *leading = json_string_value(json_object_get(view, "leading"));
+    const char *leading = json_text_at(view, "leading");
     size_t compared = 0, k, m = 0;
     while (m < model_count && strcmp(model_rows[m]->label, leading) != 0)
         m++;
@@ -197,14 +160,12 @@ TEST_IN_WORKSPACE(the_first_table_is_of_the_data)
     json_array_foreach(rows, k, row) for (size_t i = 0; i < table.rows; i++)
     {
         if (strcmp(table_text(&table, i, "model"), model_rows[m]->name) != 0 ||
-            strcmp(table_text(&table, i, "surface"), json_string_value(json_object_get(row, "surface"))) != 0)
+            strcmp(table_text(&table, i, "surface"), json_text_at(row, "surface")) != 0)
             continue;
-        const json_t *shown = json_object_get(row, "load");
         double scale = table_number(&table, i, "load_N") / table_number(&table, i, "load_over_AnEp");
-        const char *interval = json_string_value(json_object_get(shown, "interval"));
-        double load, low, high;
-        (void)read_shown(&load, json_string_value(json_object_get(shown, "value")));
-        (void)read_shown(&high, strstr(read_shown(&low, interval), "–") + strlen("–"));
+        char *dash; /* plain numbers at these loads */
+        double load = strtod(json_text_at(row, "load.value"), NULL),
+               low = strtod(json_text_at(row, "load.interval"), &dash), high = strtod(dash + strlen("–"), NULL);
         assert_near(load, table_number(&table, i, "load_N"), 6e-2); /* two digits, as the interval is wide */
         assert_near(low, scale * table_number(&table, i, "low"), 6e-2);
         assert_near(high, scale * table_number(&table, i, "high"), 6e-2);
@@ -213,7 +174,7 @@ TEST_IN_WORKSPACE(the_first_table_is_of_the_data)
     assert_int_equal(compared, 2);
 }
 
-/** Every number of results.json that is a load says in its key what it is in; returns how many keys there are. */
+/** The key of every load in results.json names its unit; returns how many there are. */
 static size_t check_load_keys(const json_t *json)
 {
     static const char *const other[] = {"area_load_slope",
@@ -238,10 +199,10 @@ static size_t check_load_keys(const json_t *json)
     return found;
 }
 
-/** Though the scene has its loads in newtons. */
+/** ... also where the scene has its loads in newtons. */
 TEST_IN_WORKSPACE(loads_say_what_they_are_in)
 {
-    scans(place);
+    workspace_scans(place, "in", 2, 300, 1);
     run_scene(place, 0,
               "material: tin\nnominal_area: 1 mm2\nload: {from: 0.01 N, to: 100 N, points: 9}\n"
               "targets: [{ecr: 0.1 mohm}]\n",
@@ -268,7 +229,7 @@ TEST_IN_WORKSPACE(loads_say_what_they_are_in)
     assert_true(intervals > 0);
 }
 
-/** Is the value, of that model's curve in out/, met between the rows on both sides of that load? */
+/** Does that model's curve in out/ pass the value between the rows on both sides of that load? */
 static bool is_met_at(const char *place, const char *model, double load, const char *column, double value)
 {
     struct table table = workspace_table(place, "out/data/contact.csv");
@@ -282,7 +243,7 @@ static bool is_met_at(const char *place, const char *model, double load, const c
     return met;
 }
 
-/** With a film, a gas and a current, targets are of the whole joint: at the load of an answer its curve passes them. */
+/** With a film, a gas and a current, targets are of the whole joint, whose curve passes them at the answered load. */
 TEST_IN_WORKSPACE(targets_of_a_joint)
 {
     static const struct {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What is wrong with the input is said in a line that names file, line and remedy, and nothing is half written. */
+/* Bad input gives one line with file, line and remedy, and nothing is half written. */
 #include "cli/process.h"
 
 #include "output/exchange.h"
@@ -7,7 +7,7 @@
 #define HEADER "x [um],z [um]\n"
 #define ROUGH  HEADER "0,1\n1,3\n2,2\n3,5\n4,1\n5,4\n6,2\n7,6\n8,3\n9,1\n"
 
-/** A report of before, which is to stay as it is. */
+/** A former report, which is to stay as it is. */
 static void leave_report(const char *place)
 {
     workspace_write(place, "out/d/report.md", "the report of before\n");
@@ -52,11 +52,8 @@ TEST_IN_WORKSPACE(test_bad_inputs)
 {
     for (size_t i = 0; i < sizeof bad_inputs / sizeof *bad_inputs; i++) {
         const struct bad_input *bad = &bad_inputs[i];
-        char work[32];
-        snprintf(work, sizeof work, "case-%zu", i);
-        workspace_folder(place, work);
-        const char *here = lasting("%s/%s", place, work);
-        workspace_folder(here, "d");
+        const char *here = lasting("%s/case-%zu", place, i);
+        workspace_folder(place, filled("case-%zu/d", i));
         if (bad->scene)
             workspace_write(here, "d/scene.yaml", bad->scene);
         if (bad->scan)
@@ -113,76 +110,64 @@ TEST_IN_WORKSPACE(test_without_gnuplot)
     expect_failure(place, 4, 1, "no gnuplot in PATH to draw the charts: install the package gnuplot-nox", "report",
                    "d");
     struct process inspect = expect_exit(place, 0, "inspect", "--chart", "d/a.csv");
-    assert_int_equal(setenv("PATH", path, 1), 0);
+    workspace_take_back(path);
     expect_part(inspect.out, "Rq ");
     expect_part(inspect.err, "no chart: no gnuplot in PATH");
     expect_digest(place, ".", before);
 }
 
-/* Nothing to draw: no gnuplot is started, a missing one is told of at once. */
+/* Where there is nothing to draw no gnuplot is started. */
 TEST_IN_WORKSPACE(test_gnuplot_waits_for_data)
 {
     workspace_shell(place, "mkdir d && seq 400000 > d/a.txt"); /* of no unit, which takes long enough to say */
     char *path = workspace_program(place, "gnuplot", "#!/bin/sh\ntouch \"$0.started\"\ncat > /dev/null\n");
     expect_part(expect_exit(place, 4, "report", "d").err, "no readable scan in 'd'");
     workspace_shell(place, "! find . -name '*.started' | grep .");
-    assert_int_equal(setenv("PATH", path, 1), 0);
+    workspace_take_back(path);
 }
 
-/* A gnuplot that reads all and draws nothing is blamed by name, with what to do. */
+/* A gnuplot that draws nothing is named as the cause. */
 TEST_IN_WORKSPACE(test_gnuplot_that_draws_nothing)
 {
     workspace_scan(place, "d/a.csv", 200, 1);
     char *path = workspace_program(place, "gnuplot", "#!/bin/sh\ncat > /dev/null\n");
     expect_failure(place, 4, 1, "gnuplot did not draw 'answer.svg'", "report", "d", "--no-cost");
-    assert_int_equal(setenv("PATH", path, 1), 0);
+    workspace_take_back(path);
     assert_false(workspace_has(place, "out"));
     run_to_exit(place, 0, "report", "d", "--no-cost");
 }
 
-/* `-` is no folder of a report; a scan goes to standard output. */
+/* `-o -` is refused by report, and means standard output to synth. */
 TEST_IN_WORKSPACE(test_output_to_a_dash)
 {
     workspace_scan(place, "d/a.csv", 200, 1);
-    struct process process = process_run(place, "report", "d", "-o", "-");
-    assert_int_equal(process.status, 2);
-    expect_part(process.err, "-o takes the folder of the report, not '-'");
+    expect_errors(expect_exit(place, 2, "report", "d", "-o", "-"), "-o takes the folder of the report, not '-'");
     run_to_exit(place, 0, "report", "d", "-o", "./-", "--no-cost"); /* a folder of that name */
-    process = expect_exit(place, 0, "synth", "-o", "-");
-    expect_part(process.out, "x [um],z [um]\n");
+    expect_output(expect_exit(place, 0, "synth", "-o", "-"), "x [um],z [um]\n");
 }
 
-static size_t lines_of(const char *text)
-{
-    size_t lines = 0;
-    for (; *text; text++)
-        lines += *text == '\n';
-    return lines;
-}
-
-/* Ten refusals are said, more are counted (test_messages.c: of a report); of ten none is. */
+/* Ten refusals are printed, more are only counted (test_messages.c: those of a report). */
 TEST_IN_WORKSPACE(test_many_empty_files)
 {
     for (int i = 0; i < 31; i++) {
-        workspace_write(place, lasting("many/%d.csv", i), "");
+        workspace_write(place, filled("many/%d.csv", i), "");
         if (i < 10)
-            workspace_write(place, lasting("ten/%d.csv", i), "");
+            workspace_write(place, filled("ten/%d.csv", i), "");
     }
     struct process process = expect_exit(place, 4, "inspect", "many");
-    assert_int_equal(lines_of(process.err), 11);
+    assert_int_equal(times(process.err, "\n"), 11);
     expect_part(process.err, "and 21 more scans refused; --json names all");
-    process = expect_exit(place, 4, "inspect", "ten");
-    assert_int_equal(lines_of(process.err), 10);
+    assert_int_equal(times(expect_exit(place, 4, "inspect", "ten").err, "\n"), 10);
 }
 
-/* A copy of a scan that cannot be used is no usable scan either. */
+/* Two copies of a scan that cannot be used are both refused. */
 TEST_IN_WORKSPACE(test_copies_of_a_bad_scan)
 {
     workspace_scan(place, "d/s/1.csv", 200, 1);
     workspace_scan(place, "d/s/2.csv", 200, 1);
     workspace_write(place, "d/scene.yaml", "lambda_c: 1 km\n");
-    struct process process = expect_exit(place, 4, "report", "d", "--no-cost");
-    expect_parts(process.err, "s/1.csv: lambda_c is 1000 m, ", "s/2.csv: lambda_c is 1000 m, ");
+    expect_errors(expect_exit(place, 4, "report", "d", "--no-cost"), "s/1.csv: lambda_c is 1000 m, ",
+                  "s/2.csv: lambda_c is 1000 m, ");
     workspace_write(place, "d/scene.yaml", "material: tin\n");
     run_to_exit(place, 0, "report", "d", "--no-cost");
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Small files that would fill a memory or take for ever, and things in a directory that are no files: the program says
- * what is wrong with each within a bounded memory and time of the processor. */
+/* Small files that unpack to gigabytes or announce them, and entries of a directory that are no files: the program
+ * refuses each within little memory and processor time. */
 #include "base/limits.h"
 #include "cli/process.h"
 #include "hard_case.h"
@@ -29,7 +29,7 @@ static rlim_t set_limit(__rlimit_resource_t resource, rlim_t value)
     return before;
 }
 
-/* Runs the program with little memory and time, which it inherits. */
+/* Runs the program with little memory and time. */
 static struct process run_bounded(const char *place, const char *const *arguments)
 {
     rlim_t own_memory = set_limit(RLIMIT_AS, memory), own_seconds = set_limit(RLIMIT_CPU, seconds);
@@ -40,14 +40,6 @@ static struct process run_bounded(const char *place, const char *const *argument
 }
 
 #define RUN(place, ...) run_bounded((place), (const char *const[]){PROGRAM, __VA_ARGS__, NULL})
-
-/* Frees them. */
-static void write_bytes(const char *place, const char *name, struct text *bytes)
-{
-    assert_false(bytes->failed);
-    expect_ok(text_write_file, directory_path(place, name), text_string(bytes), bytes->length);
-    text_free(bytes);
-}
 
 /* The largest memory that any program had so far [MB]; not known where a sanitizer has its own. */
 static double megabytes(void)
@@ -60,19 +52,17 @@ static double megabytes(void)
 /* Writes the bytes to a file, which `inspect` has to refuse with one line that holds `message`. Frees them. */
 static void expect_refused(const char *place, struct text *text, const char *message)
 {
-    write_bytes(place, "hostile", text);
-    process_expect_failure(RUN(place, "inspect", "--x-unit", "um", "--z-unit", "um", "hostile"), 4, 1, message,
-                           __FILE__, __LINE__);
+    workspace_write_bytes(place, "hostile", text_string(text), text->length);
+    text_free(text);
+    expect_failed(RUN(place, "inspect", "--x-unit", "um", "--z-unit", "um", "hostile"), 4, 1, message);
 }
 
 static const char *limit_message(enum limit limit)
 {
-    static struct limit_words words;
-    words = limit_words(limit);
-    return words.text;
+    return filled("%s", limit_words(limit).text);
 }
 
-/* 64 entries of one stream of 4 MiB; and the same where each stream begins within the one before. */
+/* 64 entries of an archive that are one stream of 4 MiB; and a stored entry that holds the whole of the next. */
 TEST_IN_WORKSPACE(test_shared_streams)
 {
     enum { ENTRIES = 64, SIZE = 4 << 20 };
@@ -85,7 +75,6 @@ TEST_IN_WORKSPACE(test_shared_streams)
     }
     struct text text = zip_of(all, ENTRIES);
     expect_refused(place, &text, "entries of the archive share their bytes");
-    /* a stored entry that holds the whole of the next */
     struct packed inner = pack("b.csv", zeros, SIZE, true);
     struct text archive = zip_of(&inner, 1);
     size_t local = 30 + strlen("b.csv") + inner.bytes.length;
@@ -163,7 +152,7 @@ static struct text deflated_with_zeros(const struct text *heights, size_t zeros)
     return text;
 }
 
-/* Of a file of points no more is unpacked than main.xml says there are, though it holds 4 MB; 600 MB are refused. */
+/* Of a file of points only as many are unpacked as main.xml announces, though it holds 4 MB; 600 MB are refused. */
 TEST_IN_WORKSPACE(test_points_as_announced)
 {
     enum { POINTS = 4096, FEW = 4 << 20, ZEROS = 600 << 20 };
@@ -184,12 +173,12 @@ TEST_IN_WORKSPACE(test_points_as_announced)
                                      .size = heights->length + zeros,
                                      .at = SIZE_MAX}};
         struct text text = zip_of(members, 2);
-        write_bytes(place, "a.x3p", &text);
+        workspace_write_bytes(place, "a.x3p", text.data, text.length);
+        text_free(&text);
         if (few)
-            expect_output(process_expect(RUN(place, "inspect", "a.x3p"), 0, __FILE__, __LINE__), "4096");
+            expect_output(expect_status(RUN(place, "inspect", "a.x3p"), 0), "4096");
         else
-            process_expect_failure(RUN(place, "inspect", "a.x3p"), 4, 1, limit_message(LIMIT_UNPACKED_RATIO), __FILE__,
-                                   __LINE__);
+            expect_failed(RUN(place, "inspect", "a.x3p"), 4, 1, limit_message(LIMIT_UNPACKED_RATIO));
         text_free(&members[0].bytes);
         text_free(&members[1].bytes);
     }
@@ -198,7 +187,7 @@ TEST_IN_WORKSPACE(test_points_as_announced)
               512);
 }
 
-/* Headers that say more than any file holds. */
+/* Headers that announce more points than any file holds. */
 TEST_IN_WORKSPACE(test_lying_headers)
 {
     static const char *const texts[] = {
@@ -228,14 +217,13 @@ TEST_IN_WORKSPACE(test_endless_input)
 {
     workspace_write(place, "large.csv", "1 2\n");
     assert_int_equal(truncate(directory_path(place, "large.csv"), (off_t)limit_most(LIMIT_FILE_BYTES) + 1), 0);
-    process_expect_failure(RUN(place, "inspect", "large.csv"), 4, 1, limit_message(LIMIT_FILE_BYTES), __FILE__,
-                           __LINE__);
+    expect_failed(RUN(place, "inspect", "large.csv"), 4, 1, limit_message(LIMIT_FILE_BYTES));
     if (memory == RLIM_INFINITY) {
         print_message("skipped: no limit of the memory here\n");
         skip();
     }
     const char *const arguments[] = {"/bin/sh", "-c", "exec " PROGRAM " inspect - </dev/zero", NULL};
-    process_expect_failure(run_bounded(place, arguments), 4, 1, "out of memory", __FILE__, __LINE__);
+    expect_failed(run_bounded(place, arguments), 4, 1, "out of memory");
 }
 
 static void make_socket(const char *place, const char *name)
@@ -249,17 +237,7 @@ static void make_socket(const char *place, const char *name)
     close(descriptor);
 }
 
-static void make_pipe(const char *place, const char *name)
-{
-    assert_int_equal(mkfifo(directory_path(place, name), 0666), 0);
-}
-
-static void make_link(const char *place, const char *name, const char *to)
-{
-    assert_int_equal(symlink(to, directory_path(place, name)), 0);
-}
-
-/* Rows are counted over all that a scene names. */
+/* The limit of measured rows holds for all files of a scene together. */
 TEST_IN_WORKSPACE(test_measured_again_and_again)
 {
     struct text *rows = support_text();
@@ -267,8 +245,7 @@ TEST_IN_WORKSPACE(test_measured_again_and_again)
     while (rows->length < 4 * 60000)
         text_add(rows, "1,2\n");
     workspace_write(place, "d/ecr.txt", text_string(rows));
-    workspace_scan(place, "d/a.csv", 200, 1);
-    workspace_scan(place, "d/b.csv", 200, 2);
+    workspace_scans(place, "d", 2, 200, 1);
     workspace_write(place, "d/scene.yaml",
                     "material: tin\nnominal_area: 1 mm2\nsurfaces:\n"
                     "  - {name: a, file: a.csv, measured: {file: ecr.txt, quantity: ecr}}\n"
@@ -278,24 +255,25 @@ TEST_IN_WORKSPACE(test_measured_again_and_again)
     expect_part(process.err, "too many rows of all that was measured");
 }
 
-/* Pipes, sockets, devices and links in circles lie in a directory; folders in folders lead nowhere. */
+/* A directory with pipes, sockets, devices, circular links, and folders nested a thousand deep. */
 TEST_IN_WORKSPACE(test_no_files)
 {
+    static const char *const links[][2] = {{"zero.csv", "/dev/zero"},
+                                           {"terminal.csv", "/dev/tty"},
+                                           {"self.csv", "self.csv"},
+                                           {"circle", "."},
+                                           {"up", ".."}};
+    static const char *const folders[] = {"d", "d/s"};
     char path[4096];
     workspace_scan(place, "d/a.csv", 200, 1);
     workspace_scan(place, "d/s/b.csv", 200, 2);
-    static const char *const folders[] = {"d", "d/s"};
     for (size_t i = 0; i < 2; i++) {
-        char name[64];
-#define NAME(end) (snprintf(name, sizeof name, "%s/%s", folders[i], end), name)
-        make_pipe(place, NAME("pipe.csv"));
-        make_pipe(place, NAME("a.txt"));
-        make_socket(place, NAME("socket.csv"));
-        make_link(place, NAME("zero.csv"), "/dev/zero");
-        make_link(place, NAME("terminal.csv"), "/dev/tty");
-        make_link(place, NAME("self.csv"), "self.csv");
-        make_link(place, NAME("circle"), ".");
-        make_link(place, NAME("up"), "..");
+        const char *folder = folders[i];
+        assert_int_equal(mkfifo(directory_path(place, filled("%s/pipe.csv", folder)), 0666), 0);
+        assert_int_equal(mkfifo(directory_path(place, filled("%s/a.txt", folder)), 0666), 0);
+        make_socket(place, filled("%s/socket.csv", folder));
+        for (size_t l = 0; l < sizeof links / sizeof *links; l++)
+            assert_int_equal(symlink(links[l][1], directory_path(place, filled("%s/%s", folder, links[l][0]))), 0);
     }
     snprintf(path, sizeof path, "%s/d/deep", place);
     for (size_t depth = 0; depth < 1000; depth++) {
@@ -304,31 +282,29 @@ TEST_IN_WORKSPACE(test_no_files)
         strcat(path, "/d");
     }
     alarm(250); /* a pipe that is opened would keep everybody waiting */
-    struct process process = process_expect(RUN(place, "inspect", "d"), 0, __FILE__, __LINE__);
+    struct process process = expect_status(RUN(place, "inspect", "d"), 0);
     expect_parts(process.out, "d/a.csv", "b.csv");
     expect_no_parts(process.out, "pipe", "zero");
-    process = process_expect(RUN(place, "plan", "d"), 0, __FILE__, __LINE__);
+    process = expect_status(RUN(place, "plan", "d"), 0);
     static const char *const none[] = {"d/pipe.csv", "d/socket.csv", "d/zero.csv"};
     for (size_t i = 0; i < 3; i++) {
         struct process opened = RUN(place, "inspect", none[i]);
         hard_case("pipes, sockets, /dev/zero, links in circles, a thousand folders in folders", "it waits for ever",
                   "passed over; refused where named", "read as scans", opened.status != 4, 0);
-        process_expect_failure(RUN(place, "inspect", none[i]), 4, 1, "is no regular file", __FILE__, __LINE__);
+        expect_failed(RUN(place, "inspect", none[i]), 4, 1, "is no regular file");
     }
-    process_expect_failure(RUN(place, "inspect", "d/self.csv"), 4, 1, "Too many levels of symbolic links", __FILE__,
-                           __LINE__);
+    expect_failed(RUN(place, "inspect", "d/self.csv"), 4, 1, "Too many levels of symbolic links");
     workspace_write(place, "d/scene.yaml", "material: tin\nsurfaces:\n  - {name: p, file: pipe.csv}\n");
-    process_expect_failure(RUN(place, "plan", "d"), 3, 1, "surface file 'pipe.csv' is no regular file", __FILE__,
-                           __LINE__);
+    expect_failed(RUN(place, "plan", "d"), 3, 1, "surface file 'pipe.csv' is no regular file");
     alarm(0);
 }
 
-/* A file that is replaced by a pipe after the scene was read is not waited for either: all reading goes this way. */
+/* A file that is replaced by a pipe after the scene was read is not waited for: text_read_file() reads every file. */
 TEST_IN_WORKSPACE(test_reading_a_pipe)
 {
     struct text *text = support_text();
     struct status status = {0};
-    make_pipe(place, "pipe");
+    assert_int_equal(mkfifo(directory_path(place, "pipe"), 0666), 0);
     alarm(250);
     assert_int_equal(text_read_file(text, directory_path(place, "pipe"), &status), STATUS_IO);
     alarm(0);

@@ -16,20 +16,12 @@ static void write_profile(const char *place, const char *scene)
     write_scene(place, scene);
 }
 
-/** Runs `report --no-cost` into OUT and checks that the work was as planned. */
-static void report(const char *place, const char *out, const char *jobs)
-{
-    run_to_exit(place, 0, "report", "d", "-o", out, "--no-cost", "-j", jobs);
-}
-
 /** Root mean square gradient of the surfaces, sqrt(2 m2), of the law in results.json. */
 static double gradient_of(const json_t *direct)
 {
-    double alpha = json_number_value(json_object_get(direct, "alpha_SI")),
-           gamma = json_number_value(json_object_get(direct, "gamma")),
-           length = json_number_value(json_object_get(direct, "cell_m")),
-           cut = json_number_value(json_object_get(direct, "lambda_s_m")),
-           longest = json_number_value(json_object_get(direct, "roll_off_m")), m2 = 0;
+    double alpha = json_number_at(direct, "alpha_SI"), gamma = json_number_at(direct, "gamma"),
+           length = json_number_at(direct, "cell_m"), cut = json_number_at(direct, "lambda_s_m"),
+           longest = json_number_at(direct, "roll_off_m"), m2 = 0;
     for (int m = 1; m <= 3.2 * length / cut; m++) {
         double above = m * cut / length, amplitude = alpha * pow(fmin(length / m, longest), gamma);
         amplitude *= above > 1 ? exp(-log(2) * (above * above - 1)) : 1;
@@ -38,22 +30,22 @@ static double gradient_of(const json_t *direct)
     return sqrt(2 * m2);
 }
 
-/* What the numbers are: area as literature has it, resistance as the gap's slope says, the cap's area. */
+/* Area as in the literature, resistance by the slope of the gap, and with a hardness an area of at least P/H. */
 TEST_IN_WORKSPACE(test_numbers)
 {
     write_profile(place,
                   EFFECTS "direct: {grid: 64, seeds: 2, loads: [1e-3, 1.05e-3, 1.1e-3, 4e-3], hardness: 400 MPa}\n");
-    report(place, "out", "1");
+    report_scene(place, "out", NULL);
     struct table t = workspace_table(place, "out/data/direct.csv"),
                  r = workspace_table(place, "out/data/direct_ratio.csv");
-    json_t *all = workspace_json(place, "out/results.json");
     expect_in_file(place, "out/data/direct.csv",
                    "surface,source,load_over_AnEp,area_ratio,area_stderr,gap_m,gap_stderr,ecr_ohm_m2,ecr_stderr,"
                    "tcr_K_m2_per_W,patches,seeds,grid,heights,hardness_Pa\n");
     expect_in_file(place, "out/data/direct_ratio.csv", "surface,model,load_over_AnEp,area,gap,ecr\n");
     assert_true(workspace_has(place, "out/figures/direct.svg"));
-    expect_in_file(place, "out/report.md", "## How true", " is the nearest elastic one.");
-    double g = gradient_of(json_array_get(json_object_get(all, "direct"), 0)), modulus = 41.4e9 / (1 - 0.36 * 0.36);
+    expect_in_file(place, "out/report.md", "## The models against the direct solution", " is the nearest elastic one.");
+    double g = gradient_of(json_at(workspace_json(place, "out/results.json"), "direct.0")),
+           modulus = 41.4e9 / (1 - 0.36 * 0.36);
     size_t elastic = 0, capped = 0;
     for (size_t i = 0; i < t.rows; i++) {
         bool cap = *table_text(&t, i, "hardness_Pa") != '\0';
@@ -82,8 +74,8 @@ TEST_IN_WORKSPACE(test_numbers)
     assert_true(persson > 0);
 }
 
-/* `plan` says what the direct solution takes, called for or not; a budget on the command line calls for it and makes it
- * fit, as the scene's does: the same solution to the byte. `auto` takes others beside it. */
+/* `plan` says how long the direct solution takes, whether or not it is called for. A budget calls for it, on the
+ * command line as in the scene, to the same bytes. `auto` may stand beside it in --effects. */
 TEST_IN_WORKSPACE(test_plan_and_budget)
 {
     write_profile(place, "nominal_area: 1 mm2\n");
@@ -94,12 +86,11 @@ TEST_IN_WORKSPACE(test_plan_and_budget)
     expect_output(expect_exit(place, 0, "plan", "d", "--budget", "60 ms"), "called for on 1 surface: 64 x 64 points");
     run_to_exit(place, 0, "report", "d", "-o", "line", "--no-cost", "--budget", "60 ms");
     write_scene(place, "nominal_area: 1 mm2\ndirect: {budget: 60 ms}\n");
-    report(place, "out", "1");
-    char *one = workspace_read(place, "line/data/direct.csv"), *other = workspace_read(place, "out/data/direct.csv");
-    assert_string_equal(one, other);
+    report_scene(place, "out", NULL);
+    directory_expect_same(place, "line/data/direct.csv", "out/data/direct.csv");
 }
 
-/* Barber: stiffness and conductance of elastic contact are one number, k ECR A_n = E' rho, of the models too. */
+/* Barber: stiffness and conductance of an elastic contact are proportional, k ECR A_n = E' rho; for the models, too. */
 TEST_IN_WORKSPACE(test_stiffness)
 {
     static const char *const effects[] = {"[separation, stiffness]", "[plasticity, separation, electrical, stiffness]"};
@@ -107,7 +98,7 @@ TEST_IN_WORKSPACE(test_stiffness)
     for (int k = 0; k < 2; k++) {
         write_profile(
             place, filled("effects: %s\ndirect: {grid: 64, seeds: 2, loads: [1e-3], hardness: 400 MPa}\n", effects[k]));
-        report(place, "out", "1");
+        report_scene(place, "out", NULL);
         t[k] = workspace_table(place, "out/data/direct.csv");
     }
     double k = table_number(&t[1], 0, "stiffness_Pa_per_m"), ecr = table_number(&t[1], 0, "ecr_ohm_m2");
@@ -127,18 +118,17 @@ TEST_IN_WORKSPACE(test_off)
     static const char *const scenes[] = {EFFECTS "direct: off\n", "effects: auto\n"};
     for (size_t s = 0; s < 2; s++) {
         write_profile(place, scenes[s]);
-        report(place, "out", "1");
+        report_scene(place, "out", NULL);
         assert_int_equal(workspace_count(place, "direct"), 0);
         assert_int_equal(workspace_count(place, "patches"), 0);
         expect_not_in_file(place, "out/report.md", "## Against a direct solution");
         expect_in_file(place, "out/report.md",
                        "direct (not called for; it takes seconds to minutes and says how far each model is off)");
-        json_t *all = workspace_json(place, "out/results.json");
-        assert_null(json_object_get(all, "direct"));
+        assert_null(json_object_get(workspace_json(place, "out/results.json"), "direct"));
     }
 }
 
-/* What the command line says stands over the scene. */
+/* The command line overrides the scene. */
 TEST_IN_WORKSPACE(test_called_for)
 {
     write_profile(place, "effects: [separation]\ndirect: {grid: 32, seeds: 1, loads: [2e-2]}\n");
@@ -153,20 +143,19 @@ TEST_IN_WORKSPACE(test_called_for)
     assert_false(workspace_has(place, "o2/figures/direct-ecr.svg"));
 }
 
-/* A map is its own surface: one solution, no law, no other heights. */
+/* A map is solved as it is: one solution, of its own heights, without a power law. */
 TEST_IN_WORKSPACE(test_map)
 {
-    char text[20000];
-    size_t used = (size_t)snprintf(text, sizeof text, "DSAA\n24 20\n0 23e-6\n0 19e-6\n-1e-6 1e-6\n");
+    struct text *text = support_text();
+    text_add(text, "DSAA\n24 20\n0 23e-6\n0 19e-6\n-1e-6 1e-6\n");
     for (int j = 0; j < 20; j++)
         for (int i = 0; i < 24; i++)
-            used += (size_t)snprintf(text + used, sizeof text - used, "%.9e\n",
-                                     4e-7 * sin(0.7 * i + 0.2 * j) * cos(0.9 * j) + 1e-7 * sin(1.1 * i * j));
-    workspace_write(place, "d/map.grd", text);
+            text_add(text, "%.9e\n", 4e-7 * sin(0.7 * i + 0.2 * j) * cos(0.9 * j) + 1e-7 * sin(1.1 * i * j));
+    workspace_write(place, "d/map.grd", text_string(text));
     workspace_write(place, "d/scene.yaml",
                     "material: tin\neffects: [separation, electrical, direct]\nload: {from: 1e-4, to: 1, points: 41}\n"
                     "surfaces: [{name: m, file: map.grd, x_unit: m, z_unit: m}]\ndirect: {loads: 5}\n");
-    report(place, "out", "2");
+    report_scene(place, "out", NULL);
     struct table t = workspace_table(place, "out/data/direct.csv");
     assert_int_equal(t.rows, 5);
     size_t numbers = 0;
@@ -177,43 +166,37 @@ TEST_IN_WORKSPACE(test_map)
         assert_string_equal(table_text(&t, i, "seeds"), "1");
         if (!*table_text(&t, i, "area_ratio"))
             continue;
-        double open = table_number(&t, i, "gap_m"); /* the area of so few points may come out the same by chance */
-        assert_true(table_number(&t, i, "gap_stderr") > 0 || open == 0);
-        assert_true(table_number(&t, i, "ecr_stderr") > 0 || open == 0);
+        double open = table_number(&t, i, "gap_m"); /* so few points may have the same area by chance */
+        assert_true(open == 0 || (table_number(&t, i, "gap_stderr") > 0 && table_number(&t, i, "ecr_stderr") > 0));
         differs += table_number(&t, i, "area_stderr");
         if (numbers++ > 0)
             assert_true(table_number(&t, i, "gap_m") < table_number(&t, i - 1, "gap_m"));
     }
-    assert_true(numbers >= 2);
-    assert_true(differs > 0);
+    assert_true(numbers >= 2 && differs > 0);
     expect_in_file(place, "out/report.md", "without a model: the map itself, 40 × 40 points",
-                   "All of it is true at this resolution");
+                   "This holds at this resolution");
 }
 
-/* Four spacings for want of a lambda_s: the plan and the report say that the solution is true at this resolution. */
+/* Without lambda_s the shortest waves are four spacings long: plan and report say so. */
 TEST_IN_WORKSPACE(test_resolution)
 {
     workspace_scan(place, "d/a.csv", 64, 1);
     write_scene(place, EFFECTS "direct: {grid: 128, seeds: 1, loads: [2e-3, 1e-2]}\n");
     struct process plan = expect_exit(place, 0, "plan", "d");
     process_unwrap(&plan);
-    expect_part(plan.out, ", down to waves of four spacings, for want of a lambda_s: true at this resolution");
-    report(place, "out", "2");
-    char *page = workspace_read(place, "out/report.md");
-    expect_part(page, "All of it is true at this resolution");
-    json_t *all = workspace_json(place, "out/results.json");
-    double gamma = json_number_value(json_object_get(json_array_get(json_object_get(all, "direct"), 0), "gamma"));
-
-    assert_true(gamma < 1.5);
+    expect_part(plan.out, ", down to waves of four spacings, as no lambda_s is given: it holds at this resolution");
+    report_scene(place, "out", NULL);
+    expect_in_file(place, "out/report.md", "This holds at this resolution");
+    assert_true(json_number_at(workspace_json(place, "out/results.json"), "direct.0.gamma") < 1.5);
     write_scene(place, EFFECTS "direct: {grid: 128, seeds: 2, loads: [2e-3, 1e-2]}\nlambda_s_m: 6e-6\n");
-    report(place, "out", "2");
-    expect_not_in_file(place, "out/report.md", "true at this resolution");
+    report_scene(place, "out", NULL);
+    expect_not_in_file(place, "out/report.md", "holds at this resolution");
 }
 
 TEST_IN_WORKSPACE(test_impossible)
 {
     write_profile(place, EFFECTS "load: {values: [1e-9]}\ndirect: {grid: 64, seeds: 1}\n");
-    report(place, "out", "1");
+    report_scene(place, "out", NULL);
     assert_false(workspace_has(place, "out/data/direct.csv"));
     expect_in_file(place, "out/report.md", "No direct solution: called for, but no load of the scene lies between");
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Tables for other programs: each is read back as that program would and holds the numbers of data/; CalculiX, where
- * it is installed, conducts with them. */
+/* Tables for other programs: each is read back as that program would and has the numbers of data/. CalculiX, if
+ * installed, computes with them. */
 #include "cli/process.h"
 
 enum { TABLES = 6, POINTS = 13, ROWS = 20 /* for CalculiX, at most */, NUMBERS = 16 };
@@ -11,8 +11,21 @@ struct place_of {
     const char *section, *stop, *prefix;
     int pressure, value; /* columns; the same one: of two lines, whose column before is 0 and 1 */
 };
-#define APDL(name) "*DIM," name ",TABLE,14,1,1,PRESSURE\n", "*", name "(", 2, 2
-#define SIF(name)  "\n" name " = Variable \"Contact Pressure\"\n  Real\n", "  End", "", 0, 1
+#define ABAQUS(head)                                                                                                   \
+    {head, "*", "", 1, 0}, {head, "*GAP", "**low ", 1, 0},                                                             \
+    {                                                                                                                  \
+        head, "*GAP", "**high ", 1, 0                                                                                  \
+    }
+#define APDL_ONE(name)                                                                                                 \
+    {                                                                                                                  \
+        "*DIM," name ",TABLE,14,1,1,PRESSURE\n", "*", name "(", 2, 2                                                   \
+    }
+#define APDL(name) APDL_ONE(name), APDL_ONE(name "_LOW"), APDL_ONE(name "_HIGH")
+#define SIF_ONE(name)                                                                                                  \
+    {                                                                                                                  \
+        "\n" name " = Variable \"Contact Pressure\"\n  Real\n", "  End", "", 0, 1                                      \
+    }
+#define SIF(name) SIF_ONE(name), SIF_ONE(name " Low"), SIF_ONE(name " High")
 #define COLUMNS(head)                                                                                                  \
     {head, NULL, "", 0, 1}, {head, NULL, "", 0, 2}, {head, NULL, "", 0, 3}, {head, NULL, "", 0, 4},                    \
         {head, NULL, "", 0, 5},                                                                                        \
@@ -30,27 +43,9 @@ static const struct format {
       {NULL, NULL, "**electrical ", 1, 0},
       {NULL, NULL, "**electrical_low ", 1, 0},
       {NULL, NULL, "**electrical_high ", 1, 0}}},
-    {"abaqus.inp",
-     {{"*GAP CONDUCTANCE, PRESSURE", "*", "", 1, 0},
-      {"*GAP CONDUCTANCE, PRESSURE", "*GAP", "**low ", 1, 0},
-      {"*GAP CONDUCTANCE, PRESSURE", "*GAP", "**high ", 1, 0},
-      {"*GAP ELECTRICAL CONDUCTANCE, PRESSURE", "*", "", 1, 0},
-      {"*GAP ELECTRICAL CONDUCTANCE, PRESSURE", "*GAP", "**low ", 1, 0},
-      {"*GAP ELECTRICAL CONDUCTANCE, PRESSURE", "*GAP", "**high ", 1, 0}}},
-    {"ansys.mac",
-     {{APDL("RC1_TCC")},
-      {APDL("RC1_TCC_LOW")},
-      {APDL("RC1_TCC_HIGH")},
-      {APDL("RC1_ECC")},
-      {APDL("RC1_ECC_LOW")},
-      {APDL("RC1_ECC_HIGH")}}},
-    {"elmer.sif",
-     {{SIF("Heat Gap Coefficient")},
-      {SIF("Heat Gap Coefficient Low")},
-      {SIF("Heat Gap Coefficient High")},
-      {SIF("Electric Gap Coefficient")},
-      {SIF("Electric Gap Coefficient Low")},
-      {SIF("Electric Gap Coefficient High")}}},
+    {"abaqus.inp", {ABAQUS("*GAP CONDUCTANCE, PRESSURE"), ABAQUS("*GAP ELECTRICAL CONDUCTANCE, PRESSURE")}},
+    {"ansys.mac", {APDL("RC1_TCC"), APDL("RC1_ECC")}},
+    {"elmer.sif", {SIF("Heat Gap Coefficient"), SIF("Electric Gap Coefficient")}},
     {"moose.csv",
      {COLUMNS("pressure_Pa,h_W_per_m2K,h_low_W_per_m2K,h_high_W_per_m2K,g_S_per_m2,g_low_S_per_m2,g_high_S_per_m2\n")}},
     {"comsol.txt",
@@ -105,21 +100,19 @@ static void make_scene(const char *place, int points, const char *more)
                            "  - {name: \"*STEP $#%%!\", file: [b.csv, c.csv]}\n"
                            "  - {name: -rf, file: c.csv}\n%s",
                            points, more));
-    workspace_scan(place, "d/a.csv", 300, 1);
-    workspace_scan(place, "d/b.csv", 300, 2);
-    workspace_scan(place, "d/c.csv", 300, 3);
+    workspace_scans(place, "d", 3, 300, 1);
 }
 
 TEST_IN_WORKSPACE(each_is_read_back)
 {
     make_scene(place, POINTS, "export: [calculix, ansys elmer, 'abaqus,moose', comsol]\n");
-    run_to_exit(place, 0, "report", "d", "--no-cost", "-o", "o");
+    report_scene(place, "o", NULL);
     struct table contact = workspace_table(place, "o/data/contact.csv"),
                  bands = workspace_table(place, "o/data/bands.csv");
     static const char *const columns[] = {"tcr_K_m2_per_W", "ecr_ohm_m2"};
     static const char *const ends[] = {"", "_mean_high_95", "_mean_low_95"}; /* of a resistance */
     for (size_t f = 0; f < sizeof formats / sizeof *formats; f++) {
-        char path[64], column[64];
+        char column[64];
         double pressure[ROWS], value[ROWS];
         char *text = workspace_read(place, filled("o/export/plain.%s", formats[f].file));
         expect_parts(text, "surface: plain\n", "it holds from 100000 Pa to ", " Pa", "Units: N, m, s, J, K.\n",
@@ -137,9 +130,8 @@ TEST_IN_WORKSPACE(each_is_read_back)
             }
         }
         text = workspace_read(place, filled("o/export/_STEP_____~2.%s", formats[f].file));
-        expect_part(text, "surface: _STEP ____\n");                        /* nothing that any program would compute */
-        snprintf(path, sizeof path, "o/export/_rf~3.%s", formats[f].file); /* no name that is read as an option */
-        assert_true(workspace_has(place, path));
+        expect_part(text, "surface: _STEP ____\n"); /* nothing that any program would compute */
+        assert_true(workspace_has(place, filled("o/export/_rf~3.%s", formats[f].file))); /* no option's name */
     }
     assert_int_equal(workspace_count(place, "-"), 0);
     struct table surfaces = workspace_table(place, "o/data/surfaces.csv");
@@ -150,13 +142,13 @@ TEST_IN_WORKSPACE(each_is_read_back)
     expect_in_file(place, "o/report.md", "For other programs", "export/plain.ansys.mac,", "export/plain.moose.csv");
 }
 
-/* Air conducts where nothing touches; film stands in the way of a current alone. */
+/* Air conducts heat where nothing touches; a film adds to the electrical resistance only. */
 TEST_IN_WORKSPACE(what_is_in_the_joint_is_in_the_tables)
 {
     static const char head[] = "| TCC, with gaps (W/(mm";
     make_scene(place, POINTS,
                "gap: {gas: air, pressure: 1 atm, temperature: 300 K}\nfilm: 1e-12 ohm m2\nexport: moose\n");
-    run_to_exit(place, 0, "report", "d", "--no-cost", "-o", "o");
+    report_scene(place, "o", NULL);
     struct table contact = workspace_table(place, "o/data/contact.csv"),
                  bands = workspace_table(place, "o/data/bands.csv");
     char *text = workspace_read(place, "o/export/plain.moose.csv");
@@ -177,12 +169,12 @@ TEST_IN_WORKSPACE(what_is_in_the_joint_is_in_the_tables)
     assert_true(value[0] == 0);
     expect_in_file(place, "o/report.md", head);
     make_scene(place, POINTS, "");
-    run_to_exit(place, 0, "report", "d", "--no-cost", "-o", "o");
+    report_scene(place, "o", NULL);
     expect_not_in_file(place, "o/report.md", head);
     expect_in_file(place, "o/report.md", "| TCC (W/(mm");
 }
 
-/* A megapascal, and what it conducts in mW/(mm2 K) and S/mm2. */
+/* In millimetres: pressures in MPa, conductances in mW/(mm2 K) and S/mm2. */
 TEST_IN_WORKSPACE(decks_in_millimetres)
 {
     static const double of_SI[] = {1e-3, 1e-6};
@@ -210,11 +202,11 @@ TEST_IN_WORKSPACE(decks_in_millimetres)
     expect_failure(place, 2, 1, "moose; :mm behind one gives N, mm, s", "report", "d", "--export", "fluent:mm");
 }
 
-/* Of a thousand points those that CalculiX takes: no pressure, both ends, and others evenly between. */
+/* CalculiX takes twenty rows of a thousand: pressure 0, both ends, and others spaced evenly between. */
 TEST_IN_WORKSPACE(calculix_takes_twenty_rows)
 {
     make_scene(place, 1000, "export: calculix\n");
-    run_to_exit(place, 0, "report", "d", "--no-cost", "-o", "o");
+    report_scene(place, "o", NULL);
     struct table contact = workspace_table(place, "o/data/contact.csv");
     double p[ROWS], h[ROWS];
     char *text = workspace_read(place, "o/export/plain.calculix.inp");
@@ -235,11 +227,11 @@ TEST_IN_WORKSPACE(only_what_is_asked_for)
     assert_true(workspace_has(place, "o/export/plain.moose.csv"));
     assert_false(workspace_has(place, "o/export/plain.ansys.mac"));
     workspace_write(place, "o/export/mine.txt", "mine\n");
-    run_to_exit(place, 0, "report", "d", "--no-cost", "-o", "o");
+    report_scene(place, "o", NULL);
     assert_false(workspace_has(place, "o/export/plain.moose.csv"));
     expect_in_file(place, "o/export/mine.txt", "mine\n");
     expect_not_in_file(place, "o/view.json", "\"exports\"");
-    run_to_exit(place, 0, "report", "d", "--no-cost", "-o", "none");
+    report_scene(place, "none", NULL);
     assert_false(workspace_has(place, "none/export"));
     expect_failure(place, 2, 1,
                    "--export: unknown program 'fluent'; there are abaqus, ansys, calculix, comsol, elmer, moose",

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* `init`: what it guesses from names, and that the program reads what it writes. */
+/* `init`: its guesses from file names, and that the program reads the scene it writes. */
 #include "cli/process.h"
 #include "scene/scene.h"
 
@@ -22,20 +22,13 @@ static void expect_surfaces(const char *place, const char *expected)
     scene_free(&scene);
 }
 
-static const char numbers[] = "0,1\n1,2\n2,1.5\n3,1\n";
-
 /** A directory d of these files, "a|b|c", and no other. */
 static void make_files(const char *place, const char *files)
 {
-    char list[512], *rest = list, path[256];
+    char *rest = lasting("%s", files);
     workspace_shell(place, "rm -rf d");
-    snprintf(list, sizeof list, "%s", files);
-    for (char *file; (file = strsep(&rest, "|"));) {
-        struct text *content = support_text();
-        snprintf(path, sizeof path, "d/%s", file);
-        text_add(content, "x [um],z [um]\n%s", numbers);
-        workspace_write(place, path, text_string(content));
-    }
+    for (char *file; (file = strsep(&rest, "|"));)
+        workspace_write(place, filled("d/%s", file), "x [um],z [um]\n0,1\n1,2\n2,1.5\n3,1\n");
 }
 
 TEST_IN_WORKSPACE(names_tell_surfaces)
@@ -115,8 +108,8 @@ TEST_IN_WORKSPACE(what_is_to_be_filled_in)
     assert_true(json_is_true(json_object_get(plan, "material_known")));
 }
 
-/* Two sub-directories whose names say so are proposed as the sides of a joint, and no others; every key that init
- * proposes makes, beside a material and an area, a scene that reads. */
+/* Two sub-directories are proposed as the sides of a joint only where their names say so. Every key that init proposes
+ * makes a valid scene together with a material and an area. */
 TEST_IN_WORKSPACE(each_proposal_is_a_scene)
 {
     make_files(place, "left/1.csv|right/2.csv|pin-1.csv|socket-2.csv");
@@ -155,15 +148,13 @@ TEST_IN_WORKSPACE(nothing_is_written_over)
     workspace_shell(place, "rm d/scene.yaml; ln -s nowhere d/scene.yaml");
     expect_failure(place, 4, 1, "cannot write 'd/scene.yaml': File exists", "init", "d");
     assert_false(workspace_has(place, "d/nowhere"));
-    /* what really stands against it; no mode stops root unless it gives up the right to pass over modes */
+    /* a directory that may not be written to; root gives up the capability that passes over modes */
     assert_true(workspace_can_run(place, "rm d/scene.yaml; chmod 555 d"));
-    static const char *const by_mode[] = {
-        "sh", "-c",
-        "if [ $(id -u) = 0 ]; then exec setpriv --bounding-set=-dac_override,-dac_read_search \"$0\" init d; fi; "
-        "exec \"$0\" init d",
-        PROGRAM, NULL};
-    process_expect_failure(process_end(process_start_list(place, by_mode, NULL)), 4, 1,
-                           "cannot write 'd/scene.yaml': Permission denied", __FILE__, __LINE__);
+    expect_failed(
+        run_program(place, "sh", "-c",
+                    "if [ $(id -u) = 0 ]; then exec setpriv --bounding-set=-dac_override,-dac_read_search " PROGRAM
+                    " init d; fi; exec " PROGRAM " init d"),
+        4, 1, "cannot write 'd/scene.yaml': Permission denied");
     assert_true(workspace_can_run(place, "chmod 755 d; test ! -e d/scene.yaml"));
     workspace_folder(place, "empty");
     expect_failure(place, 4, 1, "no scan in 'empty'", "init", "empty");

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What `inspect` says of the real scans, against the figures computed beside them (reference.json). */
+/* What `inspect` finds in the real scans, compared with independently computed figures (reference.json). */
 #include "cli/inspection.h"
 #include "cli/process.h"
 #include "scan/scan_support.h"
 
-/* Units of the files that name none, as reference.json takes them. */
+/* Units that reference.json assumes for the files that name none. */
 static const struct {
     const char *file, *x_unit, *z_unit;
 } units[] = {
@@ -14,7 +14,7 @@ static const struct {
     {"stylus_nounits_xy-4.txt", "mm", "mm"},
 };
 
-/* What the estimator's own measured evidence says of these scans. */
+/* The power laws that the estimator's documentation reports for these scans. */
 static const struct {
     const char *file;
     enum power_law_band_class found;
@@ -50,8 +50,7 @@ static void check_law(const char *file, const struct power_law *law)
 
 static struct inspection find(const char *file, const struct profile_options *options)
 {
-    char path[4096];
-    snprintf(path, sizeof path, "%s/%s", REAL_SCANS, file);
+    const char *path = lasting("%s/%s", REAL_SCANS, file);
     struct scan_options known = no_units;
     for (size_t u = 0; u < sizeof units / sizeof *units; u++)
         if (strcmp(file, units[u].file) == 0)
@@ -64,48 +63,48 @@ static struct inspection find(const char *file, const struct profile_options *op
     return inspection;
 }
 
-static double number(json_t *object, const char *key)
-{
-    json_t *value = json_object_get(object, key);
-    assert_true(json_is_number(value));
-    return json_number_value(value);
-}
+/* A figure of an inspection and of reference.json, which has it in micrometres: times `to_si`. */
+struct figure {
+    double found;
+    const char *key;
+    double to_si, rtol;
+};
 
-static void check_map(const struct inspection *f, json_t *expected)
+static void check_figures(const struct figure *figures, size_t count, const json_t *expected)
+{
+    for (const struct figure *figure = figures; figure < figures + count; figure++) {
+        double value = json_number_at(expected, figure->key) * figure->to_si;
+        support_near(figure->found, value, figure->rtol, 0, figure->key, __FILE__, __LINE__);
+    }
+}
+#define CHECK_FIGURES(expected, ...)                                                                                   \
+    check_figures((const struct figure[]){__VA_ARGS__},                                                                \
+                  sizeof((const struct figure[]){__VA_ARGS__}) / sizeof(struct figure), (expected))
+
+static void check_map(const struct inspection *f, const json_t *expected)
 {
     assert_int_equal(f->scan.kind, SCAN_AREAL);
-    assert_int_equal(f->scan.nx, (size_t)number(expected, "nx"));
-    assert_int_equal(f->scan.ny, (size_t)number(expected, "ny"));
-    assert_int_equal(f->scan.missing, (size_t)number(expected, "nmiss"));
-    assert_near(f->scan.dx_m, number(expected, "dx_um") * 1e-6, 1e-12);
-    assert_near(f->scan.dy_m, number(expected, "dy_um") * 1e-6, 1e-12);
-    assert_near(f->areal.surface.sq_m, number(expected, "Sq_um") * 1e-6, 1e-9);
-    assert_near(f->areal.surface.sa_m, number(expected, "Sa_um") * 1e-6, 1e-9);
-    assert_near(f->areal.surface.sz_m, number(expected, "Sz_um") * 1e-6, 1e-9);
-    assert_within(f->areal.surface.ssk, number(expected, "Ssk"), 1e-6);
-    assert_near(f->areal.surface.sku, number(expected, "Sku"), 1e-6);
-    assert_near(f->roughness.rq_m, number(expected, "Rq_rows_um") * 1e-6, 1e-9);
-    assert_near(f->roughness.m2, number(expected, "M2x_rows"), 1e-6);
-    assert_near(f->roughness.m4_per_m2, number(expected, "M4x_rows_um_2") * 1e12, 1e-6);
+    assert_within(f->areal.surface.ssk, json_number_at(expected, "Ssk"), 1e-6);
+    CHECK_FIGURES(expected, {(double)f->scan.nx, "nx", 1, 0}, {(double)f->scan.ny, "ny", 1, 0},
+                  {(double)f->scan.missing, "nmiss", 1, 0}, {f->scan.dx_m, "dx_um", 1e-6, 1e-12},
+                  {f->scan.dy_m, "dy_um", 1e-6, 1e-12}, {f->areal.surface.sq_m, "Sq_um", 1e-6, 1e-9},
+                  {f->areal.surface.sa_m, "Sa_um", 1e-6, 1e-9}, {f->areal.surface.sz_m, "Sz_um", 1e-6, 1e-9},
+                  {f->areal.surface.sku, "Sku", 1, 1e-6}, {f->roughness.rq_m, "Rq_rows_um", 1e-6, 1e-9},
+                  {f->roughness.m2, "M2x_rows", 1, 1e-6}, {f->roughness.m4_per_m2, "M4x_rows_um_2", 1e12, 1e-6});
 }
 
-static void check_profile(const struct inspection *f, json_t *expected)
+static void check_profile(const struct inspection *f, const json_t *expected)
 {
     assert_int_equal(f->scan.kind, SCAN_PROFILE);
-    assert_int_equal(f->scan.nx, (size_t)number(expected, "n"));
-    assert_int_equal(f->scan.missing, (size_t)number(expected, "nmiss"));
-    assert_near(f->spacing_m, number(expected, "dx_mean_um") * 1e-6, 1e-12);
-    assert_near(f->length_m, number(expected, "len_um") * 1e-6, 1e-12);
-    assert_near(f->roughness.rq_m, number(expected, "Rq_um") * 1e-6, 1e-9);
-    assert_near(f->roughness.ra_m, number(expected, "Ra_um") * 1e-6, 1e-9);
-    assert_near(f->roughness.pv_m, number(expected, "PV_um") * 1e-6, 1e-9);
-    assert_near(f->roughness.m2, number(expected, "M2c"), 1e-6);
-    assert_near(f->roughness.m4_per_m2, number(expected, "M4_um_2") * 1e12, 1e-6);
-    if (!f->profile.measured_x_m) { /* the parameters are of the uniform profile */
-        assert_near(parameter_named(&f->primary, "sk"), number(expected, "Sk"), 1e-6);
-        assert_near(parameter_named(&f->primary, "ku"), number(expected, "Ku"), 1e-9);
-        assert_near(parameter_named(&f->primary, "dq"), sqrt(number(expected, "M2_7")), 1e-6);
-    }
+    CHECK_FIGURES(expected, {(double)f->scan.nx, "n", 1, 0}, {(double)f->scan.missing, "nmiss", 1, 0},
+                  {f->spacing_m, "dx_mean_um", 1e-6, 1e-12}, {f->length_m, "len_um", 1e-6, 1e-12},
+                  {f->roughness.rq_m, "Rq_um", 1e-6, 1e-9}, {f->roughness.ra_m, "Ra_um", 1e-6, 1e-9},
+                  {f->roughness.pv_m, "PV_um", 1e-6, 1e-9}, {f->roughness.m2, "M2c", 1, 1e-6},
+                  {f->roughness.m4_per_m2, "M4_um_2", 1e12, 1e-6});
+    if (!f->profile.measured_x_m) /* the parameters are of the uniform profile */
+        CHECK_FIGURES(expected, {parameter_named(&f->primary, "sk"), "Sk", 1, 1e-6},
+                      {parameter_named(&f->primary, "ku"), "Ku", 1, 1e-9},
+                      {pow(parameter_named(&f->primary, "dq"), 2), "M2_7", 1, 2e-6});
 }
 
 /* What the instrument itself printed, of the record without its run-up and overtravel; Rq of all points, as read. */
@@ -113,15 +112,15 @@ static void check_instrument(const char *file, json_t *entry)
 {
     json_t *printed = json_object_get(entry, "instrument"), *uniform = json_object_get(entry, "as_uniform");
     struct profile_options options = profile_defaults;
-    options.lambda_s_m = number(printed, "lambda_s_um") * 1e-6;
-    options.lambda_c_m = number(printed, "lambda_c_um") * 1e-6;
+    options.lambda_s_m = json_number_at(printed, "lambda_s_um") * 1e-6;
+    options.lambda_c_m = json_number_at(printed, "lambda_c_um") * 1e-6;
     struct inspection f = find(file, &options);
-    assert_near(parameter_named(&f.filtered, "a"), number(printed, "Ra_um") * 1e-6, 1e-3);
-    assert_near(parameter_named(&f.filtered, "q"), number(printed, "Rq_um") * 1e-6, 3e-3);
-    assert_near(parameter_named(&f.filtered, "z"), number(printed, "Rz_um") * 1e-6, 3e-3);
+    assert_near(parameter_named(&f.filtered, "a"), json_number_at(printed, "Ra_um") * 1e-6, 1e-3);
+    assert_near(parameter_named(&f.filtered, "q"), json_number_at(printed, "Rq_um") * 1e-6, 3e-3);
+    assert_near(parameter_named(&f.filtered, "z"), json_number_at(printed, "Rz_um") * 1e-6, 3e-3);
     assert_int_equal(f.filtered.sampling_lengths, 3);
-    assert_int_equal(f.scan.nx, (size_t)number(uniform, "points"));
-    assert_near(f.scan.dx_m, number(uniform, "dx_um") * 1e-6, 1e-9);
+    assert_int_equal(f.scan.nx, (size_t)json_number_at(uniform, "points"));
+    assert_near(f.scan.dx_m, json_number_at(uniform, "dx_um") * 1e-6, 1e-9);
     inspection_free(&f);
     struct scan scan;
     struct profile whole;
@@ -131,7 +130,7 @@ static void check_instrument(const char *file, json_t *entry)
     memset(scan.margin_m, 0, sizeof scan.margin_m);
     expect_ok(profile_make, &whole, &scan, 0, &profile_defaults);
     assert_near(roughness_of_heights(whole.height_m, whole.points, whole.spacing_m).rq_m,
-                number(uniform, "Rq_um") * 1e-6, 1e-9);
+                json_number_at(uniform, "Rq_um") * 1e-6, 1e-9);
     profile_free(&whole);
     scan_free(&scan);
 }
@@ -140,10 +139,8 @@ static void check_instrument(const char *file, json_t *entry)
 TEST_CASE(test_every_reference_figure)
 {
     NEED_REAL_SCANS();
-    json_error_t error;
-    json_t *all = json_load_file(REAL_SCANS "/reference.json", 0, &error), *entry;
+    json_t *all = directory_json(REAL_SCANS, "reference.json"), *entry;
     const char *file;
-    assert_non_null(all);
     assert_true(json_object_size(all) >= 24);
     json_object_foreach(all, file, entry)
     {
@@ -154,15 +151,14 @@ TEST_CASE(test_every_reference_figure)
         }
         struct inspection inspection = find(file, &profile_defaults);
         json_t *map = json_object_get(entry, "areal"), *uniform = json_object_get(entry, "as_uniform");
-        bool measured = inspection.profile.measured_x_m != NULL;
         if (map)
             check_map(&inspection, map);
         else
-            check_profile(&inspection, uniform && !measured ? uniform : json_object_get(entry, "actual_x"));
+            check_profile(&inspection,
+                          uniform && !inspection.profile.measured_x_m ? uniform : json_object_get(entry, "actual_x"));
         check_law(file, &inspection.power_law);
         inspection_free(&inspection);
     }
-    json_decref(all);
 }
 
 /* With lambda_c there are R parameters beside those of the profile before. */
@@ -178,12 +174,11 @@ TEST_CASE(test_roughness_profile)
     assert_int_equal(with.filtered.sampling_lengths, 6); /* and half of one at either end */
     assert_memory_equal(with.primary.value, without.primary.value, sizeof with.primary.value);
     assert_true(parameter_named(&with.filtered, "q") < parameter_named(&with.primary, "q"));
-    json_t *object = inspection_json("nist_npl_edm.xml", &with), *parameters = json_object_get(object, "parameters");
-    assert_near(number(parameters, "lambda_c_m"), 8e-4, 1e-12);
-    assert_true(json_is_null(json_object_get(parameters, "lambda_s_m")));
-    assert_near(number(parameters, "Rq"), parameter_named(&with.filtered, "q"), 0);
-    assert_near(number(parameters, "Pq"), 0.55994e-6, 1e-5);
-    assert_string_equal(json_string_value(json_object_get(parameters, "slope")), "7-point");
+    json_t *object = inspection_json("nist_npl_edm.xml", &with);
+    CHECK_FIGURES(object, {8e-4, "parameters.lambda_c_m", 1, 1e-12}, {0.55994e-6, "parameters.Pq", 1, 1e-5},
+                  {parameter_named(&with.filtered, "q"), "parameters.Rq", 1, 0});
+    assert_true(json_is_null(json_at(object, "parameters.lambda_s_m")));
+    assert_string_equal(json_text_at(object, "parameters.slope"), "7-point");
     json_decref(object);
     inspection_free(&without);
     inspection_free(&with);
@@ -196,8 +191,8 @@ static json_t *inspect_first(struct process process)
     return json_array_get(all, 0);
 }
 
-/* What the template prints, to the byte. */
-TEST_IN_WORKSPACE(test_the_text_of_a_map)
+/* A map of 6 x 4 heights, of which the plane leaves (-1)^(x + y) um: its text to the byte, and its JSON. */
+TEST_IN_WORKSPACE(test_a_map)
 {
     workspace_write(place, "map.txt",
                     "pixel size = 2 um\n1 -1 1 -1 1 -1\n-1 1 -1 1 -1 1\n1 -1 1 -1 1 -1\n-1 1 -1 1 -1 1\n");
@@ -214,6 +209,12 @@ TEST_IN_WORKSPACE(test_the_text_of_a_map)
                                      "  power law   - (no power law found)\n"
                                      "  note        a report low-passes it at 12 um, as more than 2 % of its slopes "
                                      "are shorter: Sq 1 → 1.53e-05 um, slope 0 → 0\n");
+    json_t *map = inspect_first(expect_exit(place, 0, "inspect", "--json", "--z-unit", "um", "map.txt"));
+    assert_string_equal(json_text_at(map, "kind"), "areal");
+    CHECK_FIGURES(map, {24, "points", 1, 0}, {6, "nx", 1, 0}, {4, "ny", 1, 0}, {2e-6, "dx_m", 1, 1e-12},
+                  {2e-6, "dy_m", 1, 1e-12}, {1e-6, "sq_m", 1, 0.02}, {2e-6, "sz_m", 1, 0.1},
+                  {1e12, "m4_per_m2", 1, 1e-9}); /* (4 um/(2 um)²)² */
+    assert_null(json_object_get(map, "parameters"));
 }
 
 /* Waves of 32 and 4 points along both directions: Sq² = .5² + .1², of which the low-pass at 6 leaves the long ones.
@@ -232,8 +233,8 @@ TEST_IN_WORKSPACE(test_what_a_low_pass_takes)
         struct process process = expect_exit(place, 0, "inspect", "--z-unit", "um", "map.txt");
         json_t *of = inspect_first(expect_exit(place, 0, "inspect", "--json", "--z-unit", "um", "map.txt"));
         const double slopes = 0.5 * sin(M_PI / 16), fast = 0.1 * noisy; /* each in both directions */
-        assert_near(number(of, "sdq"), hypot(slopes, fast) * M_SQRT2, 0.02);
-        assert_near(number(of, "sq_m"), hypot(0.5, 0.1 * noisy) * 1e-6, 1e-6);
+        assert_near(json_number_at(of, "sdq"), hypot(slopes, fast) * M_SQRT2, 0.02);
+        assert_near(json_number_at(of, "sq_m"), hypot(0.5, 0.1 * noisy) * 1e-6, 1e-6);
         assert_int_equal(strstr(process.out, "Sq 0.51 → 0.476 um, slope 0.2 → 0.13") != NULL, noisy);
         assert_int_equal(strstr(process.out, "low-pass") != NULL, noisy);
         expect_output(process, noisy ? "m_asp 0.112" : "m_asp 0.079"); /* sqrt(2/pi) Sdq/sqrt 2 */
@@ -264,33 +265,13 @@ TEST_IN_WORKSPACE(test_the_text_of_a_profile)
                      "beginning)\n");
 }
 
-/* A map of 6 x 4 heights, of which the plane leaves (-1)^(x + y) um. */
-TEST_IN_WORKSPACE(test_a_map_on_the_command_line)
-{
-    workspace_write(place, "map.txt",
-                    "pixel size = 2 um\n1 -1 1 -1 1 -1\n-1 1 -1 1 -1 1\n1 -1 1 -1 1 -1\n-1 1 -1 1 -1 1\n");
-    json_t *map = inspect_first(expect_exit(place, 0, "inspect", "--json", "--z-unit", "um", "map.txt"));
-    assert_string_equal(json_string_value(json_object_get(map, "kind")), "areal");
-    assert_near(number(map, "points"), 24, 0);
-    assert_near(number(map, "nx"), 6, 0);
-    assert_near(number(map, "ny"), 4, 0);
-    assert_near(number(map, "dx_m"), 2e-6, 1e-12);
-    assert_near(number(map, "dy_m"), 2e-6, 1e-12);
-    assert_near(number(map, "sq_m"), 1e-6, 0.02);
-    assert_near(number(map, "sz_m"), 2e-6, 0.1);
-    assert_near(number(map, "m4_per_m2"), 1e12, 1e-9); /* (4 um/(2 um)²)² */
-    assert_null(json_object_get(map, "parameters"));
-    expect_output(expect_exit(place, 0, "inspect", "--z-unit", "um", "map.txt"),
-                  "points      6 x 4, spacing 2 um x 2 um, 0 missing", "plane out   Sq ");
-}
-
 TEST_IN_WORKSPACE(test_options)
 {
     workspace_scan(place, "a.csv", 2000, 1);
     json_t *raw = inspect_first(expect_exit(place, 0, "inspect", "--json", "a.csv"));
     json_t *smooth = inspect_first(expect_exit(place, 0, "inspect", "--json", "--lambda-s", "8e-6", "a.csv"));
-    assert_true(number(smooth, "m4_per_m2") < number(raw, "m4_per_m2"));
-    assert_near(number(json_object_get(smooth, "parameters"), "lambda_s_m"), 8e-6, 0);
+    assert_true(json_number_at(smooth, "m4_per_m2") < json_number_at(raw, "m4_per_m2"));
+    assert_near(json_number_at(smooth, "parameters.lambda_s_m"), 8e-6, 0);
     expect_output(expect_exit(place, 0, "inspect", "a.csv"), "parameters  Pa ");
     struct process metres =
         expect_exit(place, 0, "inspect", "--json", "--lambda-s=8e-6", "--lambda-c", "8e-5", "a.csv");
@@ -310,19 +291,8 @@ TEST_IN_WORKSPACE(test_options)
 /* Runs `inspect` with a file as standard input. */
 static struct process inspect_input(const char *place, const char *words)
 {
-    char command[4096];
-    snprintf(command, sizeof command, "exec '%s' inspect %s", PROGRAM, words);
-    const char *const arguments[] = {"/bin/sh", "-c", command, NULL};
-    return process_end(process_start_list(place, arguments, NULL));
-}
-
-/* Fails unless `first` and `second` are the same but for "file". */
-static void expect_same(const char *first, const char *second)
-{
-    const char *one = strstr(first, "\"format\""), *other = strstr(second, "\"format\"");
-    assert_non_null(one);
-    assert_non_null(other);
-    assert_string_equal(one, other);
+    const char *command = lasting("exec '" PROGRAM "' inspect %s", words);
+    return run_program(place, "/bin/sh", "-c", command);
 }
 
 /* - is standard input, plain or packed; it says what it says of the file. */
@@ -335,18 +305,18 @@ TEST_IN_WORKSPACE(test_standard_input)
     expect_part(file.out, "\"file\": \"d/a.csv\"");
     static const char *const inputs[] = {"--json - <d/a.csv", "--json - <d/a.csv.gz"};
     for (size_t i = 0; i < 2; i++) {
-        struct process input = process_expect(inspect_input(place, inputs[i]), 0, __FILE__, __LINE__);
+        struct process input = expect_status(inspect_input(place, inputs[i]), 0);
         expect_part(input.out, "\"file\": \"-\"");
-        expect_same(input.out, file.out);
+        assert_string_equal(strstr(input.out, "\"format\""), strstr(file.out, "\"format\"")); /* all but "file" */
     }
     workspace_write(place, "bad.csv", "hello\n");
-    struct process bad = process_expect(inspect_input(place, "--json - <bad.csv"), 4, __FILE__, __LINE__);
+    struct process bad = expect_status(inspect_input(place, "--json - <bad.csv"), 4);
     expect_output(bad, "\"error\": \"-: no line of numbers in it: not a scan\"");
     workspace_folder(place, "empty");
     expect_failure(place, 4, 1, "no scan in 'empty'", "inspect", "empty");
-    process_expect_failure(inspect_input(place, "- </dev/null"), 4, 1, "-: the file is empty", __FILE__, __LINE__);
-    process_expect_failure(inspect_input(place, "- <d"), 4, 1, "cannot read '-': Is a directory", __FILE__, __LINE__);
-    process_expect_failure(inspect_input(place, "- <&-"), 4, 1, "cannot read '-': ", __FILE__, __LINE__);
+    expect_failed(inspect_input(place, "- </dev/null"), 4, 1, "-: the file is empty");
+    expect_failed(inspect_input(place, "- <d"), 4, 1, "cannot read '-': Is a directory");
+    expect_failed(inspect_input(place, "- <&-"), 4, 1, "cannot read '-': ");
 }
 
 /* The scans of a directory and of its folders, as `inspect` of each says it. */

@@ -1,14 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* An installed tree: the program finds its templates there, also after the tree has moved; and it can be taken out
- * again. */
+/* An installed program finds its templates, also after its tree was moved; and it can be uninstalled. */
 #include "cli/process.h"
 
 /** Installs the build into `prefix` of the workspace, and returns its whole path. */
 static char *install(const char *place, const char *prefix)
 {
     char *path = lasting("%s/%s", place, prefix);
-    const char *const command[] = {CMAKE_PROGRAM, "--install", BUILD_DIRECTORY, "--prefix", path, NULL};
-    run_list(place, command);
+    (void)expect_status(run_program(place, CMAKE_PROGRAM, "--install", BUILD_DIRECTORY, "--prefix", path), 0);
     return path;
 }
 
@@ -26,37 +24,31 @@ static void run_installed(const char *place, const char *program, const char *ou
 
 TEST_IN_WORKSPACE(test_install)
 {
-    char *prefix = install(place, "first"), *moved, *program, *links;
-    moved = lasting("%s/moved here", place);
-    links = lasting("%s/roughcontact", place);
-    assert_true(workspace_has(place, "first/share/roughcontact/templates/page.html"));
-
-    assert_true(workspace_has(place, "first/share/man/man1/roughcontact.1.gz"));
-    assert_true(workspace_has(place, "first/share/bash-completion/completions/roughcontact"));
+    static const char *const installed[] = {"roughcontact/templates/page.html", "man/man1/roughcontact.1.gz",
+                                            "bash-completion/completions/roughcontact"};
+    char *prefix = install(place, "first"), *moved = lasting("%s/moved here", place),
+         *links = lasting("%s/roughcontact", place), *program = lasting("%s/bin/roughcontact", prefix),
+         *moved_program = lasting("%s/bin/roughcontact", moved);
+    for (size_t i = 0; i < sizeof installed / sizeof *installed; i++)
+        assert_true(workspace_has(place, filled("first/share/%s", installed[i])));
 
     workspace_scan(place, "d/a.csv", 200, 1);
-    program = lasting("%s/bin/roughcontact", prefix);
     run_installed(place, program, "one");
     char *reference = workspace_digest(place, "one");
 
     assert_int_equal(rename(prefix, moved), 0);
-    program = lasting("%s/bin/roughcontact", moved);
-    run_installed(place, program, "two");
-    assert_int_equal(symlink(program, links), 0);
+    run_installed(place, moved_program, "two");
+    assert_int_equal(symlink(moved_program, links), 0);
     run_installed(place, links, "three");
-    char *second = workspace_digest(place, "two"), *third = workspace_digest(place, "three");
-    assert_string_equal(reference, second);
-    assert_string_equal(reference, third);
+    expect_digest(place, "two", reference);
+    expect_digest(place, "three", reference);
 
     /* without its templates it says what to do */
-    assert_true(rename(moved, prefix) == 0);
-    const char *templates = lasting("%s/share/roughcontact/templates", prefix);
-    assert_int_equal(rename(templates, moved), 0);
-    program = lasting("%s/bin/roughcontact", prefix);
+    assert_int_equal(rename(moved, prefix), 0);
+    assert_int_equal(rename(lasting("%s/share/roughcontact/templates", prefix), moved), 0);
     const char *const report[] = {program, "report", "d", NULL};
-    process_expect_failure(process_end(process_start_list(place, report, NULL)), 4, 1,
-                           "first/share/roughcontact/templates'; install the program with cmake --install", __FILE__,
-                           __LINE__);
+    expect_failed(process_end(process_start_list(place, report, NULL)), 4, 1,
+                  "first/share/roughcontact/templates'; install the program with cmake --install");
     assert_false(workspace_has(place, "out"));
 }
 
@@ -74,12 +66,12 @@ static struct process uninstall(const char *place)
     return process_end(process_start_list(place, command, NULL));
 }
 
-/** What an installation put goes, and the folders it made; what was there before, or came later, stays. */
+/** Uninstalling removes the installed files and their new folders; what was there before, or came later, stays. */
 TEST_IN_WORKSPACE(test_uninstall)
 {
     workspace_folder(place, "new");
     install(place, "new/made/by it");
-    struct process process = process_expect(uninstall(place), 0, __FILE__, __LINE__);
+    struct process process = expect_status(uninstall(place), 0);
     assert_true(workspace_has(place, "new"));
     assert_false(workspace_has(place, "new/made"));
     process = uninstall(place); /* nothing is left to take out */
@@ -94,10 +86,10 @@ TEST_IN_WORKSPACE(test_uninstall)
     workspace_write(place, "shared/share/roughcontact/templates/.hidden", "");
     char *digest = workspace_digest(place, "shared/include/other.h");
     assert_int_equal(unlink_in(place, "shared/share/roughcontact/templates/page.html"), 0); /* gone already */
-    process = process_expect(uninstall(place), 0, __FILE__, __LINE__);
-    char *left = workspace_shell(place, "cd shared && find . | LC_ALL=C sort | tr '\\n' ' '"), *again;
+    process = expect_status(uninstall(place), 0);
+    char *left = workspace_shell(place, "cd shared && find . | LC_ALL=C sort | tr '\\n' ' '");
     assert_string_equal(left, ". ./bin ./include ./include/other.h ./share ./share/doc ./share/roughcontact "
                               "./share/roughcontact/surfaces ./share/roughcontact/surfaces/mine.csv "
                               "./share/roughcontact/templates ./share/roughcontact/templates/.hidden ");
-    assert_string_equal(again = workspace_digest(place, "shared/include/other.h"), digest);
+    expect_digest(place, "shared/include/other.h", digest);
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The manual page and the completion of bash say what the tables of the program do, and are of use to man and bash. */
+/* The manual page and bash's completion agree with the program's tables, and man and bash can read them. */
 #include "base/version.h"
 #include "cli/command.h"
 #include "cli/process.h"
@@ -17,12 +17,12 @@ static char *manual_read(void)
     char *page = workspace_read(PROJECT_SOURCE, "docs/roughcontact.1");
     struct text *plain = support_text();
     for (const char *at = page; *at;) {
-        size_t m = 0, marks_count = sizeof marks / sizeof *marks;
+        size_t m = 0, count = sizeof marks / sizeof *marks;
         assert_true(*at == '\n' || (*at >= ' ' && *at < 127));
-        while (m < marks_count && strncmp(at, marks[m][0], strlen(marks[m][0])) != 0)
+        while (m < count && strncmp(at, marks[m][0], strlen(marks[m][0])) != 0)
             m++;
-        text_add_bytes(plain, m < marks_count ? marks[m][1] : at, m < marks_count ? strlen(marks[m][1]) : 1);
-        at += m < marks_count ? strlen(marks[m][0]) : 1;
+        text_add(plain, "%.*s", m < count ? 9 : 1, m < count ? marks[m][1] : at);
+        at += m < count ? strlen(marks[m][0]) : 1;
     }
     return plain->data;
 }
@@ -35,13 +35,11 @@ static char *complete(const char *place, const char *line)
                                  "_roughcontact roughcontact\n"
                                  "printf '%s\\n' \"${COMPREPLY[@]}\"\n";
     const char *arguments[24] = {"bash", "-c", script, "bash", PROJECT_SOURCE "/docs/roughcontact.bash"};
-    char words[256], *rest = words;
+    char *rest = lasting("%s", line);
     size_t count = 5;
-    snprintf(words, sizeof words, "%s", line);
     for (char *word; (word = strsep(&rest, " "));)
         arguments[count++] = word;
-    struct process process =
-        process_expect(process_end(process_start_list(place, arguments, NULL)), 0, __FILE__, __LINE__);
+    struct process process = expect_status(process_end(process_start_list(place, arguments, NULL)), 0);
     assert_string_equal(process.err, "");
     return process.out;
 }
@@ -66,26 +64,22 @@ static size_t check_options(const char *manual, const char *replies, const struc
 
 TEST_IN_WORKSPACE(manual_and_completion_have_every_option)
 {
-    char *manual = manual_read(), part[1024];
+    char *manual = manual_read();
     size_t options = 0;
     for (size_t c = 0; c < COMMANDS; c++) {
         const struct command_row *row = &command_rows[c];
-        snprintf(part, sizeof part, "\nroughcontact %s %s%s[OPTION...]\n", row->name, row->arguments,
-                 *row->arguments ? " " : "");
-        expect_part(manual, part);
-        snprintf(part, sizeof part, "\n.SS %s\n%s\n", row->name, row->argp->doc);
-        expect_part(manual, part);
-        char *section = strdup(strstr(manual, part)), *end = strstr(section + 1, "\n.S");
-        end[1] = '\0';
-        snprintf(part, sizeof part, "roughcontact %s --", row->name);
-        char *replies = complete(place, part);
-        options += check_options(section, replies, row->argp);
-        free(section);
+        const char *head = lasting("\n.SS %s\n%s\n", row->name, row->argp->doc);
+        expect_parts(
+            manual, head,
+            filled("\nroughcontact %s %s%s[OPTION...]\n", row->name, row->arguments, *row->arguments ? " " : ""));
+        const char *section = strstr(manual, head), *end = strstr(section + 1, "\n.S");
+        options += check_options(lasting("%.*s", (int)(end + 1 - section), section),
+                                 complete(place, filled("roughcontact %s --", row->name)), row->argp);
     }
     assert_true(options > 40);
 }
 
-/** What may stand behind a key: its words, its range, the units of what it may be. */
+/** The values that a key may have: its words, its range, its units. */
 static void add_values(struct text *out, const struct scene_key *key)
 {
     const char *between = "";
@@ -104,7 +98,7 @@ static void add_values(struct text *out, const struct scene_key *key)
     }
 }
 
-/** What a key, or one of those within it, asks of the others. */
+/** The rules of a key, and of those within it. */
 static void add_rules(struct text *out, const char *of, const struct scene_key *key)
 {
     const struct {
@@ -137,7 +131,7 @@ static void add_escaped(struct text *out, const char *string, bool roff)
     }
 }
 
-/** Holds what stands between `before` and `after` in a document against what is made; or puts it there. */
+/** Compares the text between `before` and `after` in a document with what is made; or writes it there. */
 static void check_made(const char *name, const char *before, const struct text *made, const char *after)
 {
     char *all = workspace_read(PROJECT_SOURCE, name), *start = strstr(all, before) + strlen(before);
@@ -152,23 +146,23 @@ static void check_made(const char *name, const char *before, const struct text *
 
 TEST_CASE(documents_are_made_of_the_keys)
 {
-    struct text page = {0}, manual = {0};
+    struct text *page = support_text(), *manual = support_text();
     for (size_t k = 0; k < scene_key_count; k++) {
         struct text *values = support_text(), *rules = support_text();
         add_values(values, &scene_keys[k]);
         add_rules(rules, "", &scene_keys[k]);
-        text_add(&page, "| `%s` | ", scene_keys[k].name);
-        add_escaped(&page, text_string(values), false);
-        text_add(&page, "%s| ", values->length > 0 ? " " : "");
-        add_escaped(&page, scene_keys[k].text, false);
-        add_escaped(&page, text_string(rules), false);
-        text_add(&page, " |\n");
-        text_add(&manual, "\\fB%s\\fR%s", scene_keys[k].name, values->length > 0 ? ": " : "");
-        add_escaped(&manual, text_string(values), true);
-        text_add(&manual, "\n");
-        add_escaped(&manual, scene_keys[k].text, true);
-        add_escaped(&manual, text_string(rules), true);
-        text_add(&manual, "\n%s", k + 1 < scene_key_count ? ".TP\n" : "");
+        text_add(page, "| `%s` | ", scene_keys[k].name);
+        add_escaped(page, text_string(values), false);
+        text_add(page, "%s| ", values->length > 0 ? " " : "");
+        add_escaped(page, scene_keys[k].text, false);
+        add_escaped(page, text_string(rules), false);
+        text_add(page, " |\n");
+        text_add(manual, "\\fB%s\\fR%s", scene_keys[k].name, values->length > 0 ? ": " : "");
+        add_escaped(manual, text_string(values), true);
+        text_add(manual, "\n");
+        add_escaped(manual, scene_keys[k].text, true);
+        add_escaped(manual, text_string(rules), true);
+        text_add(manual, "\n%s", k + 1 < scene_key_count ? ".TP\n" : "");
     }
     struct scene scene = {0};
     struct text *schema = support_text();
@@ -189,33 +183,29 @@ TEST_CASE(documents_are_made_of_the_keys)
     }
     check_made("docs/results.schema.json", "\"shape_size_m\": {\"$ref\": \"#/$defs/numbers\"},\n", schema,
                "    \"models\": {");
-    check_made("docs/scene.md", "| key | may be | what it says |\n|---|---|---|\n", &page, "\n**Quantities**");
-    check_made("docs/roughcontact.1", "14 MPa, 10 %.\n.TP\n", &manual, ".SH EXIT STATUS\n");
-    text_free(&page);
-    text_free(&manual);
+    check_made("docs/scene.md", "| key | may be | what it says |\n|---|---|---|\n", page, "\n**Quantities**");
+    check_made("docs/roughcontact.1", "14 MPa, 10 %.\n.TP\n", manual, ".SH EXIT STATUS\n");
 }
 
 TEST_CASE(documents_are_made_of_the_quantities)
 {
-    struct text page = {0}, schema = {0};
+    struct text *page = support_text(), *schema = support_text();
     for (int q = 0; q < QUANTITY_COUNT; q++) {
         const struct quantity_row *row = &quantity_rows[q];
         const char *unit = row->unit[0] ? row->unit : "1";
         if (!(row->is & QUANTITY_SIGMA_ALONE))
-            text_add(&page, "| `%s` | %s | %s |\n", row->name, unit, row->meaning);
+            text_add(page, "| `%s` | %s | %s |\n", row->name, unit, row->meaning);
         if (q == QUANTITY_LOAD)
-            text_add(&page, "| `pressure_Pa` | Pa | the same times E′ of the surface; empty without a material |\n");
+            text_add(page, "| `pressure_Pa` | Pa | the same times E′ of the surface; empty without a material |\n");
         if (row->sigma_column)
-            text_add(&page, "| `%s` | 1 | %s |\n", row->sigma_column,
+            text_add(page, "| `%s` | 1 | %s |\n", row->sigma_column,
                      (row->is & QUANTITY_SIGMA_ALONE) ? row->meaning : "the same over Rq");
-        text_add(&schema, "    \"%s\": {\"$ref\": \"#/$defs/numbers\"},\n", row->name);
+        text_add(schema, "    \"%s\": {\"$ref\": \"#/$defs/numbers\"},\n", row->name);
     }
-    check_made("docs/report.md", "\n| `surface`, `model` | | names |\n", &page, "\n## data/answers.csv");
+    check_made("docs/report.md", "\n| `surface`, `model` | | names |\n", page, "\n## data/answers.csv");
     check_made("docs/results.schema.json",
-               "\"largest_load_share_clamped_at_radius\": {\"$ref\": \"#/$defs/number\"},\n", &schema,
+               "\"largest_load_share_clamped_at_radius\": {\"$ref\": \"#/$defs/number\"},\n", schema,
                "    \"operating\": {");
-    text_free(&page);
-    text_free(&schema);
 }
 
 /** The fields of a record that are in JSON, as properties of the schema; the last ends with `end`. */
@@ -241,15 +231,13 @@ static void add_properties(struct text *out, const struct record_field *fields, 
 
 TEST_CASE(the_schema_is_made_of_the_fields)
 {
-    struct text surface = {0}, estimate = {0};
-    add_properties(&surface, surface_fields, ",");
-    check_made("docs/results.schema.json", "\"units\": {\"type\": \"string\"},\n", &surface,
+    struct text *surface = support_text(), *estimate = support_text();
+    add_properties(surface, surface_fields, ",");
+    check_made("docs/results.schema.json", "\"units\": {\"type\": \"string\"},\n", surface,
                "    \"material\": {\"$ref\": \"#/$defs/material\"},\n");
-    add_properties(&estimate, record_estimate_fields, "");
-    check_made("docs/results.schema.json", "\"mean_95\", \"next_scan_95\"],\n   \"properties\": {\n", &estimate,
+    add_properties(estimate, record_estimate_fields, "");
+    check_made("docs/results.schema.json", "\"mean_95\", \"next_scan_95\"],\n   \"properties\": {\n", estimate,
                "   }\n  },\n  \"material\": {");
-    text_free(&surface);
-    text_free(&estimate);
 }
 
 /** Does a scene's key say that each quantity's key may be asked for? */
@@ -267,19 +255,14 @@ TEST_IN_WORKSPACE(manual_has_chapters_and_statuses)
 {
     static const char *const chapters[] = {"NAME",        "SYNOPSIS", "DESCRIPTION", "COMMANDS", "SCENE",
                                            "EXIT STATUS", "FILES",    "ENVIRONMENT", "EXAMPLES", "SEE ALSO"};
-    char *manual = manual_read(), *commands = workspace_read(PROJECT_SOURCE, "docs/commands.md"), part[256];
+    char *manual = manual_read(), *commands = workspace_read(PROJECT_SOURCE, "docs/commands.md");
     for (size_t i = 0; i < COMMAND_STATUSES; i++) {
-        snprintf(part, sizeof part, "\n.TP\n%zu\n%s\n", i, command_statuses[i]);
-        expect_part(manual, part);
-        snprintf(part, sizeof part, "\n| %zu | %s |\n", i, command_statuses[i]);
-        expect_part(commands, part);
+        expect_part(manual, filled("\n.TP\n%zu\n%s\n", i, command_statuses[i]));
+        expect_part(commands, filled("\n| %zu | %s |\n", i, command_statuses[i]));
     }
-    for (size_t i = 0; i < sizeof chapters / sizeof *chapters; i++) {
-        snprintf(part, sizeof part, "\n.SH %s\n", chapters[i]);
-        expect_part(manual, part);
-    }
-    snprintf(part, sizeof part, "\"roughcontact %s\"", version_string());
-    expect_part(manual, part);
+    for (size_t i = 0; i < sizeof chapters / sizeof *chapters; i++)
+        expect_part(manual, filled("\n.SH %s\n", chapters[i]));
+    expect_part(manual, filled("\"roughcontact %s\"", version_string()));
 }
 
 /** groff has no warning for it, neither has man; skipped where there is none. */
@@ -289,8 +272,8 @@ TEST_IN_WORKSPACE(groff_reads_the_manual)
         print_message("no groff\n");
         skip();
     }
-    const char *const groff[] = {"groff", "-man", "-ww", "-Tutf8", PROJECT_SOURCE "/docs/roughcontact.1", NULL};
-    struct process process = process_expect(process_end(process_start_list(place, groff, NULL)), 0, __FILE__, __LINE__);
+    struct process process =
+        expect_status(run_program(place, "groff", "-man", "-ww", "-Tutf8", PROJECT_SOURCE "/docs/roughcontact.1"), 0);
     assert_string_equal(process.err, "");
     expect_part(process.out, "scene.yaml");
 }
@@ -325,13 +308,11 @@ TEST_IN_WORKSPACE(bash_completes)
         if (strcmp(replies, cases[i].replies) != 0)
             fail_msg("'%s': '%s', not '%s'", cases[i].line, replies, cases[i].replies);
     }
-    char *files = complete(place, "roughcontact inspect in"); /* in any order */
-    expect_part(files, "in.csv\n");
-    expect_part(files, "inner\n");
-    char *units = complete(place, "roughcontact report --x-unit = "), list[512] = "";
-    for (char *unit = strtok(units, "\n"); unit; unit = strtok(NULL, "\n"))
-        snprintf(list + strlen(list), sizeof list - strlen(list), "%s%s", *list ? ", " : "", unit);
-    assert_string_equal(list, unit_known(UNIT_DISTANCE).text);
+    expect_parts(complete(place, "roughcontact inspect in"), "in.csv\n", "inner\n"); /* in any order */
+    struct text *list = support_text();
+    for (char *unit = strtok(complete(place, "roughcontact report --x-unit = "), "\n"); unit; unit = strtok(NULL, "\n"))
+        text_add(list, "%s%s", list->length > 0 ? ", " : "", unit);
+    assert_string_equal(text_string(list), unit_known(UNIT_DISTANCE).text);
     char *materials = complete(place, "roughcontact report --material = ");
     for (size_t i = 0; i < material_table_count; i++)
         if (!isnan(material_table[i].youngs_modulus_Pa))

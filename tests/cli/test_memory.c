@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The program short of memory: one line says so, and what does not fit is all that is lost. */
+/* Short of memory the program says so in one line, and loses only what does not fit. */
 #include "cli/process.h"
 
 #ifdef __SANITIZE_ADDRESS__
@@ -11,10 +11,8 @@
 /** Runs the program, as `line` says, with so many MB of addresses. */
 static struct process run_within(const char *place, int megabytes, const char *line)
 {
-    char script[512];
-    snprintf(script, sizeof script, "ulimit -v %d; exec \"$0\" %s", megabytes * 1000, line);
-    const char *const arguments[] = {"sh", "-c", script, PROGRAM, NULL};
-    return process_end(process_start_list(place, arguments, NULL));
+    const char *script = filled("ulimit -v %d; exec \"$0\" %s", megabytes * 1000, line);
+    return run_program(place, "sh", "-c", script, PROGRAM);
 }
 
 /** A scan that takes some 130 MB to be read. */
@@ -29,8 +27,7 @@ TEST_IN_WORKSPACE(what_is_too_large_is_said)
     NEEDS_LIMIT();
     write_large(place, "a.csv");
     for (int megabytes = 30; megabytes <= 100; megabytes += 35)
-        process_expect_failure(run_within(place, megabytes, "inspect a.csv"), 4, 1, "out of memory", __FILE__,
-                               __LINE__);
+        expect_failed(run_within(place, megabytes, "inspect a.csv"), 4, 1, "out of memory");
 }
 
 TEST_IN_WORKSPACE(a_surface_goes_aside)

@@ -2,25 +2,11 @@
 /* What lies beside scans, and scans in archives. */
 #include "cli/process.h"
 
-static void expect_same_files(const char *place, const char *one, const char *other)
-{
-    char *left = workspace_read(place, one), *right = workspace_read(place, other);
-    assert_string_equal(left, right);
-}
-
-/** Writes bytes that may hold NUL. */
-static void write_bytes(const char *place, const char *path, const char *bytes, size_t length)
-{
-    const char *whole = lasting("%s/%s", place, path);
-    workspace_write(place, path, "");
-    expect_ok(text_write_file, whole, bytes, length);
-}
-
 static void write_others(const char *place)
 {
-    write_bytes(place, "d/photo.jpg", "\xff\xd8\xff\xe0\0\0", 6);
-    write_bytes(place, "d/b.png", "\x89PNG\r\n\x1a\n\0\0", 10);
-    write_bytes(place, "d/a.png", "\x89PNG\r\n\x1a\n\0\0", 10);
+    workspace_write_bytes(place, "d/photo.jpg", "\xff\xd8\xff\xe0\0\0", 6);
+    workspace_write_bytes(place, "d/b.png", "\x89PNG\r\n\x1a\n\0\0", 10);
+    workspace_write_bytes(place, "d/a.png", "\x89PNG\r\n\x1a\n\0\0", 10);
     workspace_write(place, "d/paper.pdf", "%PDF-1.7\n1 0 obj\n");
     workspace_write(place, "d/README.md", "# Scans\n1 2\n3 4\n");
     workspace_write(place, "d/plot.py", "x = 1\n0.5, 1\n");
@@ -33,7 +19,7 @@ static const char others[] = "passed over, no scan: 1 x JPEG picture (photo.jpg)
                              "passed over, no scans: 2 x text (README.md, plot.py)\n"
                              "passed over, no scan: 1 x text without a row of numbers (notes.txt)\n";
 
-/* Found in a directory they are passed over and told; named in a scene they are refused. */
+/* Files that are no scans are passed over in a directory, with a message, and refused where a scene names them. */
 TEST_IN_WORKSPACE(test_passed_over)
 {
     workspace_scan(place, "d/1.csv", 200, 1);
@@ -49,7 +35,7 @@ TEST_IN_WORKSPACE(test_passed_over)
     expect_parts(process.out, "d/1.csv\n  format ", "d/2.csv\n  format ");
 
     /* an instrument's file that is not read is no such thing */
-    write_bytes(place, "d/w.opd", "\1\0Directory\0\0\0", 14);
+    workspace_write_bytes(place, "d/w.opd", "\1\0Directory\0\0\0", 14);
     expect_errors(expect_exit(place, 1, "plan", "d"),
                   "surface 'w' refused: w.opd: the format is not read here: Wyko OPD file; export it as text");
 
@@ -68,30 +54,25 @@ TEST_IN_WORKSPACE(test_packed)
     workspace_scan(place, "2.csv", 200, 2);
     workspace_scan(place, "3.csv", 200, 1);
     struct process process =
-        process_end(process_start_list(place,
-                                       (const char *const[]){CMAKE_PROGRAM, "-E", "tar", "cf", "three.zip",
-                                                             "--format=zip", "1.csv", "2.csv", "3.csv", NULL},
-                                       NULL));
+        run_program(place, CMAKE_PROGRAM, "-E", "tar", "cf", "three.zip", "--format=zip", "1.csv", "2.csv", "3.csv");
     assert_int_equal(process.status, 0);
-    process = process_end(process_start_list(place, (const char *const[]){"gzip", "1.csv", NULL}, NULL));
+    process = run_program(place, "gzip", "1.csv");
     assert_int_equal(process.status, 0);
     expect_output(expect_exit(place, 0, "inspect", "three.zip"), "three.zip(1.csv)\n", "three.zip(2.csv)\n",
                   "three.zip(3.csv)\n");
     expect_output(expect_exit(place, 0, "inspect", "1.csv.gz"), "points      200");
 
-    char *name = NULL;
-    name = lasting("%s/three.zip", place);
     struct text *bytes = support_text();
-    expect_ok(text_read_file, bytes, name);
+    expect_ok(text_read_file, bytes, directory_path(place, "three.zip"));
     /* one of three scans of a surface damaged: the others are read, as from files, and it is named */
     char *second = memmem(bytes->data, bytes->length, "2.csv", 5);
     assert_non_null(second);
     second[100] ^= 1;
-    write_bytes(place, "damaged.zip", bytes->data, bytes->length);
+    workspace_write_bytes(place, "damaged.zip", bytes->data, bytes->length);
     process = expect_exit(place, 1, "inspect", "damaged.zip");
     expect_parts(process.out, "damaged.zip(1.csv)\n", "damaged.zip(3.csv)\n");
     expect_part(process.err, "'2.csv' in the archive is damaged; copy the file again\n");
-    write_bytes(place, "dz/s.zip", bytes->data, bytes->length);
+    workspace_write_bytes(place, "dz/s.zip", bytes->data, bytes->length);
     expect_errors(expect_exit(place, 1, "report", "--no-cost", "dz"),
                   "'2.csv' in the archive is damaged; copy the file again - refused; the others of the "
                   "archive are used\n");
@@ -99,5 +80,5 @@ TEST_IN_WORKSPACE(test_packed)
     workspace_scan(place, "df/3.csv", 200, 1);
     workspace_write(place, "df/scene.yaml", "surfaces: [{name: s, file: [1.csv, 3.csv]}]\n");
     run_to_exit(place, 0, "report", "--no-cost", "df");
-    expect_same_files(place, "out/dz/data/contact.csv", "out/df/data/contact.csv");
+    directory_expect_same(place, "out/dz/data/contact.csv", "out/df/data/contact.csv");
 }

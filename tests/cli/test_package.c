@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The Debian package: made, looked over by lintian where that is installed, unpacked, and the program run from there.
- */
+/* The Debian package: made, checked by lintian if that is installed, unpacked, and the program run from there. */
 #include "cli/process.h"
 
 static bool is_there(const char *place, const char *program)
@@ -20,14 +19,14 @@ TEST_IN_WORKSPACE(test_package)
         print_message("no packages of a program with sanitizers\n");
         skip();
     }
-    const char *const pack[] = {
-        CPACK_PROGRAM, "-G", "DEB", "-B", "packages", "--config", BUILD_DIRECTORY "/CPackConfig.cmake", NULL};
-    run_list(place, pack);
+    (void)expect_status(run_program(place, CPACK_PROGRAM, "-G", "DEB", "-B", "packages", "--config",
+                                    BUILD_DIRECTORY "/CPackConfig.cmake"),
+                        0);
 
     /* what each depends on, and holds */
     char *text = workspace_shell(place, "dpkg-deb -f packages/roughcontact_*.deb");
-    expect_parts(text, "Package: roughcontact\n", "gnuplot-nox | gnuplot");
-    expect_part(text, "libmd4c-html0"); /* GSL and others are inside it */
+    expect_parts(text, "Package: roughcontact\n", "gnuplot-nox | gnuplot",
+                 "libmd4c-html0"); /* GSL and others are inside it */
     expect_no_part(text, "libgsl");
     assert_string_equal(workspace_shell(place, "ls packages/*.deb | wc -l"), "1\n");
     text = workspace_shell(place,
@@ -39,11 +38,10 @@ TEST_IN_WORKSPACE(test_package)
     /* the main job, from there, is what it is from the build */
     const char *program = lasting("%s/root/usr/bin/roughcontact", place);
     workspace_scan(place, "d/a.csv", 300, 1);
-    run_to_exit(place, 0, "report", "d", "-o", "built", "--no-cost");
+    report_scene(place, "built", NULL);
     const char *const report[] = {program, "report", "d", "-o", "unpacked", "--no-cost", NULL};
     run_list(place, report);
-    char *one = workspace_digest(place, "built"), *two = workspace_digest(place, "unpacked");
-    assert_string_equal(one, two);
+    expect_digest(place, "unpacked", workspace_digest(place, "built"));
 
     if (!is_there(place, "lintian")) {
         print_message("not looked over: there is no lintian\n");

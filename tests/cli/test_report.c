@@ -9,17 +9,12 @@
 static double surface_number(const char *place, const char *surface, const char *column)
 {
     struct table table = workspace_table(place, "out/d/data/surfaces.csv");
-    double number = NAN;
-    for (size_t row = 0; row < table.rows; row++)
-        if (strcmp(table_text(&table, row, "surface"), surface) == 0)
-            number = table_number(&table, row, column);
-    return number;
+    return table_number(&table, table_find(&table, 0, "surface", surface), column);
 }
 
 TEST_IN_WORKSPACE(test_overrides)
 {
-    workspace_scan(place, "d/a.csv", 200, 1);
-    workspace_scan(place, "d/b.csv", 200, 2);
+    workspace_scans(place, "d", 2, 200, 1);
     workspace_write(place, "d/scene.yaml", "material: tin\neffects: [thermal]\ntolerance: 1e-8\n");
     run_to_exit(place, 0, "report", "d");
     expect_in_file(place, "out/d/data/contact.csv", "tcr_K_m2_per_W");
@@ -28,15 +23,11 @@ TEST_IN_WORKSPACE(test_overrides)
 
     run_to_exit(place, 0, "report", "d", "--material=copper", "--effects", "electrical,stiffness", "--tolerance",
                 "1e-3");
-    char *markdown = workspace_read(place, "out/d/report.md");
-    expect_in_file(place, "out/d/data/contact.csv", "ecr_ohm_m2");
-    expect_not_in_file(place, "out/d/data/contact.csv", "tcr_K_m2_per_W");
-    expect_not_in_file(place, "out/d/data/contact.csv", "-plastic"); /* electrical alone asks for no yield */
+    expect_in_file(place, "out/d/data/contact.csv", "ecr_ohm_m2"); /* electrical alone asks for no yield */
+    expect_not_in_file(place, "out/d/data/contact.csv", "tcr_K_m2_per_W", "-plastic");
     expect_in_file(place, "out/d/results.json", "\"name\": \"copper\"", "\"tolerance\": 0.001");
-    expect_part(markdown, "copper");
-    expect_no_part(markdown, "](figures/tcr.svg)");
-    expect_part(markdown, "](figures/ecr.svg)");
-    expect_part(markdown, "](figures/stiffness.svg)");
+    expect_in_file(place, "out/d/report.md", "copper", "](figures/ecr.svg)", "](figures/stiffness.svg)");
+    expect_not_in_file(place, "out/d/report.md", "](figures/tcr.svg)");
     assert_true(workspace_has(place, "out/d/figures/ecr.svg"));
     assert_false(workspace_has(place, "out/d/figures/tcr.svg"));
     assert_false(workspace_has(place, "out/d/data/convergence.csv"));
@@ -55,30 +46,25 @@ TEST_IN_WORKSPACE(test_wrong_options)
 {
     static const struct {
         const char *option, *value, *message;
+        size_t lines; /* 3: with two that point to --help; 1: also of `plan` */
     } wrong[] = {
-        {"--material", "unobtainium", "unknown material 'unobtainium'; allowed: tin, copper"},
-        {"--effects", "thermal,plastic", "unknown effect 'plastic'; "},
-        {"--effects", "", "--effects: 'effects' names none; give 'auto'"},
-        {"--tolerance", "2", "--tolerance: 'tolerance' is 2; allowed is 1e-14 to 0.1"},
-        {"--tolerance", "1e-3x", "'1e-3x'; give a number"},
-    };
-    static const struct {
-        const char *option, *value, *message;
-    } refused[] = {
-        {"--x-unit", "furlong", "--x-unit must be a unit of length"},
-        {"--jobs", "0", "--jobs must be 1 to 64, not '0'"},
-        {"--jobs", "-1", "--jobs must be 1 to 64"},
-        {"--jobs", "99999999999999999999", "--jobs must be 1 to 64"},
-        {"--bogus", "x", "unrecognized option '--bogus'"},
-        {"d", "d", "Too many arguments"},
+        {"--material", "unobtainium", "unknown material 'unobtainium'; allowed: tin, copper", 1},
+        {"--effects", "thermal,plastic", "unknown effect 'plastic'; ", 1},
+        {"--effects", "", "--effects: 'effects' names none; give 'auto'", 1},
+        {"--tolerance", "2", "--tolerance: 'tolerance' is 2; allowed is 1e-14 to 0.1", 1},
+        {"--tolerance", "1e-3x", "'1e-3x'; give a number", 1},
+        {"--x-unit", "furlong", "--x-unit must be a unit of length", 3},
+        {"--jobs", "0", "--jobs must be 1 to 64, not '0'", 3},
+        {"--jobs", "-1", "--jobs must be 1 to 64", 3},
+        {"--jobs", "99999999999999999999", "--jobs must be 1 to 64", 3},
+        {"--bogus", "x", "unrecognized option '--bogus'", 3},
+        {"d", "d", "Too many arguments", 3},
     };
     workspace_scan(place, "d/a.csv", 200, 1);
-    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
-        expect_failure(place, 2, 1, wrong[i].message, "report", "d", wrong[i].option, wrong[i].value);
-        expect_failure(place, 2, 1, wrong[i].message, "plan", "d", wrong[i].option, wrong[i].value);
-    }
-    for (size_t i = 0; i < sizeof refused / sizeof *refused; i++) /* and two lines that point to --help */
-        expect_failure(place, 2, 3, refused[i].message, "report", "d", refused[i].option, refused[i].value);
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
+        for (size_t c = 0; c < (wrong[i].lines == 1 ? 2 : 1); c++)
+            expect_failure(place, 2, wrong[i].lines, wrong[i].message, c ? "plan" : "report", "d", wrong[i].option,
+                           wrong[i].value);
     assert_false(workspace_has(place, "out"));
 }
 
@@ -89,29 +75,17 @@ static void synthesise(const char *place, const char *alpha, const char *gamma, 
 
 TEST_IN_WORKSPACE(test_terminal)
 {
-    workspace_scan(place, "d/a.csv", 300, 1);
-    workspace_scan(place, "d/b.csv", 300, 2);
+    workspace_scans(place, "d", 2, 300, 1);
     assert_int_equal(setenv("COLUMNS", "80", 1), 0);
     struct process process = expect_exit(place, 0, "report", "d", "-m", "tin", "--show", "--verbose");
     assert_int_equal(unsetenv("COLUMNS"), 0);
-    static const char *const charts[] = {"contact resistance (", "surface  ", "  contact resistance"};
-    for (size_t i = 0; i < sizeof charts / sizeof *charts; i++)
-        expect_part(process.out, charts[i]);
-    for (const char *line = process.out; *line; line += strcspn(line, "\n") + 1) {
-        size_t columns = 0, length = strcspn(line, "\n");
-        for (size_t i = 0; i < length; i++)
-            columns += ((unsigned char)line[i] & 0xc0) != 0x80;
-        if (columns > 80)
-            fail_msg("%zu columns: %.*s", columns, (int)length, line);
-    }
+    expect_output(process, "contact resistance (", "surface  ", "  contact resistance");
+    expect_narrow(process.out);
     static const char path[] = "\nout/d/report.html\n";
     assert_true(process.out_length > sizeof path);
     assert_string_equal(process.out + process.out_length - (sizeof path - 1), path);
-    static const char *const stages[] = {"stage ", "read scans ", "strips ", "multiscale elastic ",
-                                         "GW ",    "gnuplot ",    "total ",  "largest memory "};
-    for (size_t i = 0; i < sizeof stages / sizeof *stages; i++) {
-        expect_part(process.err, filled("\n%s", stages[i]));
-    }
+    expect_errors(process, "\nstage ", "\nread scans ", "\nstrips ", "\nmultiscale elastic ", "\nGW ", "\ngnuplot ",
+                  "\ntotal ", "\nlargest memory ");
     assert_true(strtod(strstr(process.err, "\nstrips ") + strlen("\nstrips "), NULL) > 0);
     assert_null(strchr(process.err, '\r')); /* progress is for terminals only */
     process = expect_exit(place, 0, "report", "d");
@@ -119,37 +93,33 @@ TEST_IN_WORKSPACE(test_terminal)
     expect_no_part(process.out, "+--");
 }
 
-/** Pressed all but flat, a model that ends there says so in place of a number. */
+/** Where all surfaces are pressed flat at every load, the report says so in place of a number. */
 TEST_IN_WORKSPACE(test_pressed_flat)
 {
     workspace_scan(place, "d/a.csv", 300, 1);
     workspace_write(place, "d/scene.yaml",
                     "material: tin\nmodels: [corrected-persson]\neffects: []\n"
                     "load: {from: 100, to: 1000, points: 3}\n");
-    struct process process = expect_exit(place, 0, "report", "d", "--no-cost");
-    expect_part(process.out, " the contact area is not known on a.");
+    expect_output(expect_exit(place, 0, "report", "d", "--no-cost"), " the contact area is not known on a.");
     expect_in_file(place, "out/d/report.md", " the contact area is not known on *a*.**");
     expect_not_in_file(place, "out/d/report.md", "One surface, every model");
     assert_false(workspace_has(place, "out/d/data/contact.csv"));
 }
 
-/** Each figure drawn once more, as its first line says: the same but for an empty group, which carries the colour that
- * the figure before ended with. */
+/** Each figure can be drawn again as the first line of its script says. It is the same but for an empty group with the
+ * colour that the figure before ended with. */
 TEST_IN_WORKSPACE(test_figures_drawn_by_hand)
 {
-    workspace_scan(place, "d/a.csv", 300, 1);
-    workspace_scan(place, "d/b.csv", 300, 2);
+    workspace_scans(place, "d", 2, 300, 1);
     run_to_exit(place, 0, "report", "d", "-m", "tin", "-o", "out", "--no-cost");
     workspace_shell(place, "cp -r out/figures again && cd again && for f in *.gp; do gnuplot \"$f\" || exit 1; done && "
                            "sed -i '/^<g fill=\"none\" color=\"#FFFFFF\"/d' *.svg ../out/figures/*.svg && "
                            "ls area.svg models.svg && diff -r . ../out/figures");
 }
 
-/** On a terminal, one that `script` makes, a line says how far a long stage is; it is gone at the end. */
+/** On a terminal (made by `script`) a line shows the progress of a long stage, and is gone at the end. */
 TEST_IN_WORKSPACE(test_progress)
 {
-    static const char *const run[] = {"script", "-qec", PROGRAM " report d -e direct -m tin --no-cost", "typescript",
-                                      NULL};
     int terminal = posix_openpt(O_RDWR | O_NOCTTY);
     if (terminal < 0) {
         print_message("[  SKIPPED ] no pseudo-terminals here\n");
@@ -160,7 +130,8 @@ TEST_IN_WORKSPACE(test_progress)
     workspace_write(place, "d/scene.yaml",
                     "load: {from: 1e-4, to: 1e-2, points: 5}\n"
                     "direct: {grid: 64, seeds: 4, loads: 3}\n");
-    run_list(place, run);
+    (void)expect_status(
+        run_program(place, "script", "-qec", PROGRAM " report d -e direct -m tin --no-cost", "typescript"), 0);
     char *seen = workspace_read(place, "typescript");
     expect_parts(seen, "\r\033[Kmodels of a: 0 %", "\r\033[Kdirect solution of a: 0 %", " s left\r\033[K");
     double before = -1; /* it grows, and ends before it is full */
@@ -171,8 +142,8 @@ TEST_IN_WORKSPACE(test_progress)
     assert_true(before > 50);
 }
 
-/* Surfaces' laws stand by their amplitudes at one wavelength, the middle of what the bands share: bands 0.5 ... 300 and
- * 1 ... 600 um, so at sqrt(1 x 300) um. alpha, their value at 1 m, is no number to compare. */
+/* Surfaces' laws are compared by their amplitudes at one wavelength, the geometric middle of what the bands share:
+ * bands 0.5 ... 300 and 1 ... 600 um, so sqrt(1 x 300) um. alpha, the value at 1 m, is no number to compare. */
 TEST_IN_WORKSPACE(test_laws_at_one_wavelength)
 {
     workspace_write(place, "d/scene.yaml", "models: [multiscale]\nfit: thesis\n");
@@ -187,9 +158,9 @@ TEST_IN_WORKSPACE(test_laws_at_one_wavelength)
     expect_in_file(place, "out/d/report.md", "at 12.2 µm"); /* of one surface, its band's middle */
 }
 
-/** Measurements that are GW's curve, doubled, up and down in load: found in their units, in their order, and nearest to
- * GW by that factor. Of two surfaces each has its own: one two runs that carry 0.5 and 0.72, and the mean into the
- * target, the other the first of them. */
+/** Made-up measurements: GW's curve doubled, on loading and unloading. The report shows them in their units and order,
+ * with GW nearest, off by that factor. Then two surfaces have measurements: one has two runs, 1/0.5 and 1/0.72 of GW,
+ * whose geometric mean carries into the target, the other has the first run. */
 TEST_IN_WORKSPACE(test_measured)
 {
     static const char scene[] = "material: tin\nnominal_area_m2: 1e-6\neffects: [plasticity, electrical]\n%s";
@@ -199,36 +170,29 @@ TEST_IN_WORKSPACE(test_measured)
         "  - {name: c, file: a.csv, measured: {file: ecr.csv}}\n";
     static const size_t order[] = {20, 50, 80, 65, 35, 5};
     enum { POINTS = sizeof order / sizeof *order, TURN = 2 };
-    char text[600];
     workspace_scan(place, "d/a.csv", 300, 1);
-    snprintf(text, sizeof text, scene, "");
-    workspace_write(place, "d/scene.yaml", text);
+    workspace_write(place, "d/scene.yaml", filled(scene, ""));
     run_to_exit(place, 0, "report", "d", "--no-cost");
     expect_not_in_file(place, "out/d/report.md", "Measured");
     struct table contact = workspace_table(place, "out/d/data/contact.csv");
-    size_t gw = 0; /* its first row */
-    while (strcmp(table_text(&contact, gw, "model"), "gw") != 0)
-        gw++;
-    struct text csv = {0}, run = {0};
-    text_add(&csv, "Load (mN);ECR (m\xCE\xA9);error (%%)\n");
-    text_add(&run, "P/(A_n E');ECR (Ohm m2)\n");
+    size_t gw = table_find(&contact, 0, "model", "gw");
+    struct text *csv = support_text(), *run = support_text();
+    text_add(csv, "Load (mN);ECR (m\xCE\xA9);error (%%)\n");
+    text_add(run, "P/(A_n E');ECR (Ohm m2)\n");
     double target_ohm = table_number(&contact, gw + order[1], "ecr_ohm_m2") / sqrt(0.5 * 0.72) / 1e-6;
     double target_load = table_number(&contact, gw + order[1], "load_over_AnEp");
     double least = INFINITY; /* Ω m² */
     for (size_t i = 0; i < POINTS; i++) {
         double resistance_ohm_m2 = 2 * table_number(&contact, gw + order[i], "ecr_ohm_m2");
         assert_string_equal(table_text(&contact, gw + order[i], "model"), "gw");
-        text_add(&csv, "%.15g;%.15g;10\n", table_number(&contact, gw + order[i], "pressure_Pa") * 1e-6 * 1e3,
+        text_add(csv, "%.15g;%.15g;10\n", table_number(&contact, gw + order[i], "pressure_Pa") * 1e-6 * 1e3,
                  resistance_ohm_m2 / 1e-6 * 1e3);
-        text_add(&run, "%.15g;%.15g\n", table_number(&contact, gw + order[i], "load_over_AnEp"),
+        text_add(run, "%.15g;%.15g\n", table_number(&contact, gw + order[i], "load_over_AnEp"),
                  resistance_ohm_m2 / 2 / 0.72);
         least = fmin(least, resistance_ohm_m2);
     }
-    workspace_write(place, "d/ecr.csv", text_string(&csv));
-    workspace_write(place, "d/.run.csv", text_string(&run));
-    text_free(&csv);
-    text_free(&run);
-
+    workspace_write(place, "d/ecr.csv", text_string(csv));
+    workspace_write(place, "d/.run.csv", text_string(run));
     workspace_write(place, "d/scene.yaml", filled(scene, "measured: {file: ecr.csv}\n"));
     run_to_exit(place, 0, "report", "d", "--no-cost");
     expect_in_file(place, "out/d/report.md", "GW is nearest to the 6 points measured on *a*", "GW 0.500, ×÷ 2.00",
@@ -252,8 +216,7 @@ TEST_IN_WORKSPACE(test_measured)
     assert_near(log10(found / least), round(log10(found / least)), 1e-8); /* in the unit of the chart: a power of ten */
     assert_true(scale > found);
 
-    snprintf(text, sizeof text, scene, filled(apart, target_ohm));
-    workspace_write(place, "d/scene.yaml", text);
+    workspace_write(place, "d/scene.yaml", filled(scene, filled(apart, target_ohm)));
     run_to_exit(place, 0, "report", "d", "--no-cost");
     expect_in_file(place, "out/d/report.md", "*a* conducts 0.60 times what the model says (95\u00a0%: 0.059 to 6.1)",
                    "; its numbers above are the measured ones.\n", "12 points measured on *a* in 2 runs",

@@ -37,7 +37,7 @@ static size_t number_at(const char *at, double *value, double *unit)
     return whole + (decimals > 0 ? decimals + 1 : 0);
 }
 
-/** Fails where two texts differ in more than that. */
+/** Fails where two texts differ otherwise than in times and by one unit of a number's last digit. */
 static void expect_alike(const char *kept, const char *fresh, const char *what)
 {
     const char *a = kept, *b = fresh;
@@ -59,7 +59,7 @@ static void expect_alike(const char *kept, const char *fresh, const char *what)
     }
 }
 
-/** What a picture says: its text without its marks. To be freed. */
+/** The text of a picture, without its tags. */
 static char *words_of(char *svg)
 {
     char *to = svg;
@@ -105,19 +105,18 @@ static void expect_sample(const char *place, const char *name)
     }
     static const char *const files[] = {"report.md", "view.json"};
     for (int f = 0; f < 2; f++) {
-        char *kept = workspace_read(PROJECT_SOURCE, filled("docs/sample/%s/%s", name, files[f]));
-        char *fresh = workspace_read(place, filled("o/%s", files[f]));
-        kept = f == 0 ? without_times(kept) : view_without_times(kept);
-        fresh = f == 0 ? without_times(fresh) : view_without_times(fresh);
-        expect_alike(kept, fresh, filled("docs/sample/%s/%s", name, files[f]));
+        char *(*cut)(char *) = f == 0 ? without_times : view_without_times;
+        const char *kept = lasting("docs/sample/%s/%s", name, files[f]);
+        expect_alike(cut(workspace_read(PROJECT_SOURCE, kept)), cut(workspace_read(place, filled("o/%s", files[f]))),
+                     kept);
     }
     char *list = workspace_shell(place, "cd o/figures && ls *.svg"), *rest = list;
     for (char *file; (file = strsep(&rest, "\n")) && *file;) {
         if (strcmp(file, "accuracy.svg") == 0) /* its axis is of times */
             continue;
-        char *kept = words_of(workspace_read(PROJECT_SOURCE, filled("docs/sample/%s/figures/%s", name, file)));
-        char *fresh = words_of(workspace_read(place, filled("o/figures/%s", file)));
-        expect_alike(kept, fresh, filled("docs/sample/%s/figures/%s", name, file));
+        const char *kept = lasting("docs/sample/%s/figures/%s", name, file);
+        expect_alike(words_of(workspace_read(PROJECT_SOURCE, kept)),
+                     words_of(workspace_read(place, filled("o/figures/%s", file))), kept);
     }
 }
 

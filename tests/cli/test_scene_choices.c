@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a scene may choose: its report's template, the accuracy to be expected, a gap as what is asked for. */
+/* Choices of a scene: its report's template, the accuracy, a gap as the target. */
 #include "cli/process.h"
 #include "contact/model.h"
 
@@ -8,8 +8,7 @@ TEST_IN_WORKSPACE(a_scene_brings_its_template)
     workspace_scan(place, "d/a.csv", 200, 1);
     workspace_write(place, "d/own.md", "Mine: {{title}}\n");
     workspace_write(place, "other.md", "Other: {{title}}\n");
-    workspace_write(place, "d/scene.yaml", "title: T\ntemplate: own.md\n");
-    run_to_exit(place, 0, "report", "d", "--no-cost", "-o", "o");
+    report_scene(place, "o", "title: T\ntemplate: own.md\n");
     expect_in_file(place, "o/report.md", "Mine: T");
     run_to_exit(place, 0, "report", "d", "--no-cost", "-o", "o", "--template", "other.md");
     expect_in_file(place, "o/report.md", "Other: T");
@@ -17,8 +16,8 @@ TEST_IN_WORKSPACE(a_scene_brings_its_template)
     expect_failure(place, 3, 1, "scene.yaml:2: cannot read the template 'none.md': No such file", "report", "d");
 }
 
-/* Too few of the longest waves in a scan whose ends are open leave every model open by 1.3 ln(2.5/waves) more, as the
- * intervals have it. A scan that closes on itself leaves nothing so. */
+/* A scan that is not periodic and holds less than 2.5 of its longest waves adds 1.3 ln(2.5/waves) to every model's
+ * error; a periodic one does not. */
 TEST_IN_WORKSPACE(few_waves_are_expected_to_cost_accuracy)
 {
     for (int closed = 0; closed < 2; closed++) {
@@ -28,24 +27,22 @@ TEST_IN_WORKSPACE(few_waves_are_expected_to_cost_accuracy)
                                       : "mkdir -p d; head -n 1 whole.csv > d/a.csv; tail -n 400 whole.csv >> d/a.csv");
         run_to_exit(place, 0, "report", "d", "-m", "tin", "-o", "o", "--accuracy", "70 %");
         json_t *results = workspace_json(place, "o/results.json"), *view = workspace_json(place, "o/view.json");
-        double waves = json_number_value(
-            json_object_get(json_array_get(json_object_get(results, "surfaces"), 0), "longest_waves"));
-        const json_t *accuracy = json_object_get(view, "accuracy"), *few = json_object_get(accuracy, "few_waves");
+        double waves = json_number_at(results, "surfaces.0.longest_waves");
         assert_true(waves > 0 && waves < 2.2);
         if (!closed) {
             double own = model_sd(model_rows[model_named("strip-plastic")], QUANTITY_ECR, false),
                    few_sd = 1.3 * log(2.5 / waves);
-            assert_near(json_number_value(few), exp(1.96 * few_sd), 0.01);
-            json_t *models = json_object_get(accuracy, "models"),
-                   *last = json_array_get(models, json_array_size(models) - 1);
-            assert_near(json_number_value(json_object_get(last, "factor")), exp(1.96 * hypot(own, few_sd)), 0.01);
+            size_t last = json_array_size(json_at(view, "accuracy.models")) - 1;
+            assert_near(json_number_at(view, "accuracy.few_waves"), exp(1.96 * few_sd), 0.01);
+            assert_near(json_number_at(view, filled("accuracy.models.%zu.factor", last)),
+                        exp(1.96 * hypot(own, few_sd)), 0.01);
         } else
-            assert_true(!few);
+            assert_null(json_at(view, "accuracy.few_waves"));
     }
 }
 
-/* The cheapest as good: the textbook within a factor of 6, Gaussian heights within 3.9, strips within 3, and no more is
- * solved than that. */
+/* The cheapest model within the accuracy runs alone: the textbook within a factor of 6, Gaussian heights within 3.9,
+ * strips within 3. */
 TEST_IN_WORKSPACE(no_dearer_model_than_the_accuracy_asks_for)
 {
     static const struct {
@@ -59,23 +56,21 @@ TEST_IN_WORKSPACE(no_dearer_model_than_the_accuracy_asks_for)
     };
     workspace_scan(place, "d/a.csv", 400, 1);
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        workspace_write(place, "d/scene.yaml", filled("material: tin\naccuracy: %s\n", cases[i].accuracy));
-        run_to_exit(place, 0, "report", "d", "--no-cost", "-o", "o");
+        report_scene(place, "o", filled("material: tin\naccuracy: %s\n", cases[i].accuracy));
         expect_in_file(place, "o/report.md", cases[i].says);
         json_t *results = workspace_json(place, "o/results.json");
-        assert_string_equal(json_string_value(json_object_get(results, "leading")), cases[i].model);
+        assert_string_equal(json_text_at(results, "leading"), cases[i].model);
         struct table contact = workspace_table(place, "o/data/contact.csv");
         for (size_t r = 0; r < contact.rows; r++) /* and what it yields from */
             assert_true(strncmp(table_text(&contact, r, "model"), cases[i].model, strcspn(cases[i].model, "-")) == 0);
     }
     run_to_exit(place, 0, "report", "d", "--no-cost", "-o", "o", "--accuracy", "290 %");
     expect_in_file(place, "o/report.md", "Gaussian heights with hardness is the cheapest");
-    workspace_write(place, "d/scene.yaml", "material: tin\n");
-    run_to_exit(place, 0, "report", "d", "--no-cost", "-o", "o");
+    report_scene(place, "o", "material: tin\n");
     expect_not_in_file(place, "o/report.md", "the cheapest model");
 }
 
-/* Strips, of scans that make none: nothing is left to run. */
+/* Scans of unlike spacing make no strips, so with strips alone nothing is left to run. */
 TEST_IN_WORKSPACE(a_model_that_is_not_there_is_told)
 {
     workspace_scan(place, "d/a-1.csv", 200, 1);
@@ -107,27 +102,18 @@ TEST_IN_WORKSPACE(a_model_that_is_not_there_is_told)
     }
 }
 
-/* At the load that a gap takes, the gap is that; its interval holds it. */
+/* At the load that a target of the gap needs, the gap is the target. */
 TEST_IN_WORKSPACE(a_gap_is_asked_for)
 {
-    char head[400];
-    for (int scan = 1; scan <= 3; scan++)
-        workspace_scan(place, filled("d/a-%d.csv", scan), 400, (unsigned)scan);
-    snprintf(head, sizeof head, "material: tin\nnominal_area: 1 mm2\nsurfaces: [{name: a, file: 'a-*.csv'}]\n");
-    workspace_write(place, "d/scene.yaml",
-                    filled("%starget%s: [{gap: 0.1 um}]\nlimits: {gap: {least: 1 nm}}\n", head, "s"));
-    run_to_exit(place, 0, "report", "d", "--no-cost", "-o", "o");
-    expect_in_file(place, "o/report.md", "**To reach 0.1\u00a0µm, *a* needs ", "✓ met");
+    static const char head[] = "material: tin\nnominal_area: 1 mm2\nsurfaces: [{name: s, file: '*.csv'}]\n";
+    workspace_scans(place, "d", 3, 400, 1);
+    report_scene(place, "o", filled("%starget%s: [{gap: 0.1 um}]\nlimits: {gap: {least: 1 nm}}\n", head, "s"));
+    expect_in_file(place, "o/report.md", "**To reach 0.1\u00a0µm, *s* needs ", "✓ met");
     struct table answers = workspace_table(place, "o/data/answers.csv"), contact;
-    size_t row = 0;
-    while (strcmp(table_text(&answers, row, "model"), "strip-plastic") != 0)
-        row++;
-    double load = table_number(&answers, row, "load_over_AnEp");
-    workspace_write(place, "d/scene.yaml", filled("%sload: {values: [%.17g]}\n", head, load));
-    run_to_exit(place, 0, "report", "d", "--no-cost", "-o", "o");
+    double load = table_number(&answers, table_find(&answers, 0, "model", "strip-plastic"), "load_over_AnEp");
+    report_scene(place, "o", filled("%sload: {values: [%.17g]}\n", head, load));
     contact = workspace_table(place, "o/data/contact.csv");
-    for (row = 0; strcmp(table_text(&contact, row, "model"), "strip-plastic") != 0;)
-        row++;
+    size_t row = table_find(&contact, 0, "model", "strip-plastic");
     assert_near(table_number(&contact, row, "gap_m"), 1e-7, 1e-5);
     assert_true(table_number(&contact, row, "separation_m") == table_number(&contact, row, "gap_m"));
     workspace_write(place, "d/scene.yaml", filled("%seffects: [electrical]\ntargets: [{gap: 0.1 um}]\n", head));
@@ -149,26 +135,18 @@ static double factor_of(const json_t *view, const char *effect)
     return NAN;
 }
 
-/* Each effect with what it changes, as the data have it with and without. */
+/* The report says what each effect changes: the ratio of the data with and without it. */
 TEST_IN_WORKSPACE(effects_say_what_they_change)
 {
     workspace_scan(place, "d/a.csv", 400, 1);
-    workspace_write(place, "d/scene.yaml", "material: tin\nload: {values: [1e-5]}\nfilm: 3e-10 ohm m2\n");
-    run_to_exit(place, 0, "report", "d", "--no-cost", "-o", "o");
+    report_scene(place, "o", "material: tin\nload: {values: [1e-5]}\nfilm: 3e-10 ohm m2\n");
     struct table contact = workspace_table(place, "o/data/contact.csv");
-    double bare[2] = {NAN, NAN}, joint = NAN;
-    for (size_t r = 0; r < contact.rows; r++) {
-        bool leads = strcmp(table_text(&contact, r, "model"), "strip-plastic") == 0;
-        if (!leads && strcmp(table_text(&contact, r, "model"), "strip") != 0)
-            continue;
-        bare[leads] = table_number(&contact, r, "ecr_ohm_m2");
-        joint = leads ? table_number(&contact, r, "joint_ecr_ohm_m2") : joint;
-        if (!leads) /* of the elastic one the joint's, too: that is what is asked */
-            bare[0] = table_number(&contact, r, "joint_ecr_ohm_m2");
-    }
+    const size_t leads = table_find(&contact, 0, "model", "strip-plastic"),
+                 elastic = table_find(&contact, 0, "model", "strip");
+    const double joint = table_number(&contact, leads, "joint_ecr_ohm_m2");
     json_t *view = workspace_json(place, "o/view.json");
-    assert_near(factor_of(view, "film"), joint / bare[1], 0.05);
-    assert_near(factor_of(view, "plasticity"), joint / bare[0], 0.05);
+    assert_near(factor_of(view, "film"), joint / table_number(&contact, leads, "ecr_ohm_m2"), 0.05);
+    assert_near(factor_of(view, "plasticity"), joint / table_number(&contact, elastic, "joint_ecr_ohm_m2"), 0.05);
     assert_true(isnan(factor_of(view, "thermal")) && isnan(factor_of(view, "uncertainty")));
     expect_in_file(place, "o/report.md", "needs no more than E'; changes no other number",
                    "records can be simulated of the one scan of 1 surface; changes no number");

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Whatever the program is doing when a signal comes, it ends, with all that it has started and made. */
+/* Whatever the program does when a signal comes, it ends, and so does all that it started; what it made is removed. */
 #include "base/clock.h"
 #include "base/program.h"
 #include "base/temporary.h"
@@ -11,8 +11,6 @@
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <time.h>
-
-static struct directory place;
 
 static void sleep_for(double seconds)
 {
@@ -27,7 +25,7 @@ static pid_t start(char *lines)
     char *const arguments[] = {shell, option, lines, NULL};
     int nothing = open("/dev/null", O_RDWR | O_CLOEXEC);
     pid_t process = 0;
-    struct program_task task = {arguments, shell, place.path, nothing, nothing};
+    struct program_task task = {arguments, shell, directory_here.path, nothing, nothing};
     if (program_start(&process, &task) != 0)
         _exit(70);
     return process;
@@ -35,12 +33,12 @@ static pid_t start(char *lines)
 
 static void begin(pid_t process)
 {
-    directory_write(&place, "begun.new", filled("%d", (int)process));
-    if (rename(directory_path(&place, "begun.new"), directory_path(&place, "begun")) != 0)
+    directory_write(&directory_here, "begun.new", filled("%d", (int)process));
+    if (rename(directory_path(&directory_here, "begun.new"), directory_path(&directory_here, "begun")) != 0)
         _exit(71);
 }
 
-/* Never looks at what it is asked, and goes on writing. */
+/* Ignores the request to stop, and goes on writing. */
 static int deaf(int argc, char **argv)
 {
     char stubborn[] = "trap '' INT TERM HUP; exec sleep 1000"; /* no signal but SIGKILL ends it */
@@ -48,7 +46,7 @@ static int deaf(int argc, char **argv)
     (void)signals_stop(100);
     struct temporary staging;
     struct status status = {0};
-    if (temporary_make(&staging, place.path, NULL, &status) != STATUS_OK ||
+    if (temporary_make(&staging, directory_here.path, NULL, &status) != STATUS_OK ||
         mkdirat(staging.directory, "data", 0700) != 0)
         return 72;
     temporary_note("", "out", " is as it was before");
@@ -61,7 +59,7 @@ static int deaf(int argc, char **argv)
     }
 }
 
-/* Ends in order when it is asked. */
+/* Ends in order when it is asked to. */
 static int orderly(int argc, char **argv)
 {
     (void)argc, (void)argv;
@@ -69,7 +67,7 @@ static int orderly(int argc, char **argv)
     begin(0);
     while (!*stop)
         support_pause();
-    directory_write(&place, "finished", "");
+    directory_write(&directory_here, "finished", "");
     return 5;
 }
 
@@ -81,7 +79,7 @@ static int holds(int argc, char **argv)
     temporary_hold();
     begin(0);
     sleep_for(0.2);
-    directory_write(&place, "finished", "");
+    directory_write(&directory_here, "finished", "");
     temporary_note("the report is in ", "out", "");
     temporary_release();
     while (clock_seconds() > 0)
@@ -99,7 +97,7 @@ static int hangs(int argc, char **argv)
     return 73;
 }
 
-/* Has asked for far more time than anybody waits. */
+/* Asks for more time than anybody waits. */
 static int slow(int argc, char **argv)
 {
     (void)signals_stop(1000000);
@@ -143,7 +141,7 @@ static pid_t start_body(int (*body)(int argc, char **argv), int errors)
         exit(signals_run(body, 0, NULL));
     }
     close(errors);
-    while (!directory_has(&place, "begun"))
+    while (!directory_has(&directory_here, "begun"))
         support_pause();
     return child;
 }
@@ -155,7 +153,7 @@ static struct end run(int (*body)(int argc, char **argv), int signal_number, int
     struct end end = {0};
     assert_int_equal(pipe2(errors, O_CLOEXEC), 0);
     pid_t child = start_body(body, errors[1]);
-    char *id = directory_read(&place, "begun");
+    char *id = directory_read(&directory_here, "begun");
     end.other = (pid_t)strtol(id, NULL, 10);
     double before = clock_seconds();
     for (int i = 0; i < times; i++) {
@@ -166,7 +164,7 @@ static struct end run(int (*body)(int argc, char **argv), int signal_number, int
     assert_int_equal(waitpid(child, &end.state, 0), child);
     assert_true(clock_seconds() - before < 60); /* it would never end */
     close(errors[0]);
-    remove(directory_path(&place, "begun"));
+    remove(directory_path(&directory_here, "begun"));
     return end;
 }
 
@@ -184,19 +182,11 @@ static void assert_signalled(int state, int signal_number)
 
 static int make(void **state)
 {
-    (void)state;
-    place = directory_make();
+    directory_setup(state);
     return prctl(PR_SET_CHILD_SUBREAPER, 1);
 }
 
-static int clean(void **state)
-{
-    (void)state;
-    directory_remove(&place);
-    return 0;
-}
-
-#define SIGNAL_TEST(name) TEST_WITH(name, make, clean)
+#define SIGNAL_TEST(name) TEST_WITH(name, make, directory_teardown)
 
 SIGNAL_TEST(what_does_not_listen_is_ended)
 {
@@ -205,7 +195,7 @@ SIGNAL_TEST(what_does_not_listen_is_ended)
         struct end end = run(deaf, signals[i], 1);
         assert_signalled(end.state, signals[i]);
         assert_string_equal(end.said, "roughcontact: stopped by a signal; 'out' is as it was before\n");
-        assert_int_equal(directory_entries(&place, ""), 0);
+        assert_int_equal(directory_entries(&directory_here, ""), 0);
         int other;
         assert_int_equal(waitpid(end.other, &other, 0), end.other); /* orphans come to this process: make() */
         assert_signalled(other, SIGKILL);
@@ -213,7 +203,8 @@ SIGNAL_TEST(what_does_not_listen_is_ended)
     }
 }
 
-/* What listens ends in order, a second signal ends at once, what is begun is finished, nothing asked is no time. */
+/* A program that listens ends in order; a second signal ends it at once; what must not be half done is finished; a
+ * program that asked for no time ends at once. */
 SIGNAL_TEST(each_has_the_time_it_asked_for)
 {
     static const struct {
@@ -229,8 +220,8 @@ SIGNAL_TEST(each_has_the_time_it_asked_for)
         struct end end = run(cases[i].body, cases[i].signal_number, cases[i].times);
         assert_signalled(end.state, cases[i].signal_number);
         assert_string_equal(end.said, cases[i].said);
-        assert_int_equal(directory_has(&place, "finished"), cases[i].finishes);
-        remove(directory_path(&place, "finished"));
+        assert_int_equal(directory_has(&directory_here, "finished"), cases[i].finishes);
+        remove(directory_path(&directory_here, "finished"));
     }
 }
 
@@ -241,7 +232,7 @@ SIGNAL_TEST(the_status_is_that_of_a_body_that_ends)
     assert_string_equal(end.said, "");
 }
 
-/* Some leave SIGCHLD ignored to what they start; how a program ended would then be lost, and its id be another's. */
+/* A parent may leave SIGCHLD ignored. Then it would be lost how a program ended, and its id could be reused. */
 SIGNAL_TEST(what_was_started_is_known_to_have_ended)
 {
     int end;
@@ -253,7 +244,7 @@ SIGNAL_TEST(what_was_started_is_known_to_have_ended)
     assert_true(signal(SIGCHLD, SIG_DFL) != SIG_ERR);
     assert_int_equal(waitpid(child, &end, 0), child);
     assert_ended(end, 3);
-    remove(directory_path(&place, "begun"));
+    remove(directory_path(&directory_here, "begun"));
     assert_ended(run(follows, 0, 0).state, 3);
 }
 
@@ -266,16 +257,16 @@ SIGNAL_TEST(an_ignored_signal_stays_ignored)
     assert_int_equal(kill(child, SIGHUP), 0);
     sleep_for(0.2);
     assert_int_equal(waitpid(child, NULL, WNOHANG), 0);
-    assert_false(directory_has(&place, "finished"));
+    assert_false(directory_has(&directory_here, "finished"));
     assert_int_equal(kill(child, SIGTERM), 0);
     assert_int_equal(waitpid(child, &end, 0), child);
     assert_signalled(end, SIGTERM);
-    remove(directory_path(&place, "begun"));
+    remove(directory_path(&directory_here, "begun"));
     assert_true(signal(SIGHUP, SIG_DFL) != SIG_ERR);
     assert_signalled(run(orderly, SIGHUP, 1).state, SIGHUP);
 }
 
-/* kill -9 leaves no time for anything; who was started goes all the same. */
+/* kill -9 leaves no time for anything; what it had started ends all the same. */
 SIGNAL_TEST(a_killed_program_takes_others_with_it)
 {
     struct end end = run(deaf, SIGKILL, 1);

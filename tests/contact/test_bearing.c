@@ -67,7 +67,7 @@ static void solve(struct direct_point *out, const double *height_m, const double
     struct direct_contact contact;
     const struct direct_ladder_def def = {
         .load = load, .loads = DIRECT_LOADS, .hardness = hardness, .tolerance = 1e-6, .resistance = true};
-    expect_ok(direct_contact_make, &contact, height_m, &(struct direct_grid){SIDE, SIDE, 1e-6, false});
+    expect_ok(direct_contact_make, &contact, height_m, &(struct direct_grid){SIDE, SIDE, 1e-6, false, false});
     expect_ok(direct_ladder_run, out, &contact, &def);
     direct_contact_free(&contact);
 }

@@ -188,7 +188,7 @@ TEST_CASE(gap_of_the_open_points)
     struct strip strip = solved(&(struct strip_rows){height, 1, POINTS, 1e-6, true, NULL, 0}, 0);
     struct direct_contact contact;
     size_t count = 0;
-    expect_ok(direct_contact_make, &contact, height, &(struct direct_grid){POINTS, 1, 1e-6, false});
+    expect_ok(direct_contact_make, &contact, height, &(struct direct_grid){POINTS, 1, 1e-6, false, false});
     assert_true(logistic(strip.own.logit[0]) * POINTS >= 0.3 * STRIP_LEAST_POINTS); /* of fewer it says nothing */
     for (size_t k = 0; k < strip.own.count; k++) {
         struct direct_contact_load load = {exp(strip.own.value[k][0]), INFINITY, 1e-9, true, NULL};
@@ -265,7 +265,7 @@ TEST_CASE(against_direct_solutions)
             loads[i] = sqrt(2 * persson.m2) * (double[TRUTHS]){0.02, 0.08, 0.25, 0.6}[i];
         struct direct_ladder_def ladder = {loads, TRUTHS, INFINITY, 1e-5, true, NULL};
         struct direct_contact contact;
-        expect_ok(direct_contact_make, &contact, height, &(struct direct_grid){SIDE, SIDE, 1e-6, false});
+        expect_ok(direct_contact_make, &contact, height, &(struct direct_grid){SIDE, SIDE, 1e-6, false, false});
         expect_ok(direct_ladder_run, truth, &contact, &ladder);
         struct strip_rows rows = {row, LINES, SIDE, 1e-6, true, NULL, 0};
         struct strip strip = solved(&rows, STRIP_SURROGATES);

@@ -63,7 +63,7 @@ double gradient_of(const double *height, size_t n, double spacing)
 struct direct_contact contact_of(const double *height, size_t nx, size_t ny)
 {
     struct direct_contact contact;
-    expect_ok(direct_contact_make, &contact, height, &(struct direct_grid){nx, ny, 1 / (double)nx, false});
+    expect_ok(direct_contact_make, &contact, height, &(struct direct_grid){nx, ny, 1 / (double)nx, false, false});
     return contact;
 }
 

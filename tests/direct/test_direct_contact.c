@@ -149,7 +149,8 @@ static enum status_code result_of(const double *height, size_t n, const struct d
                                   struct status *status)
 {
     struct direct_contact contact;
-    if (direct_contact_make(&contact, height, &(struct direct_grid){n, n, 1 / (double)n, false}, status) != STATUS_OK)
+    if (direct_contact_make(&contact, height, &(struct direct_grid){n, n, 1 / (double)n, false, false}, status) !=
+        STATUS_OK)
         return status->code;
     enum status_code rc = direct_contact_solve(&contact, load, status);
     direct_contact_free(&contact);
@@ -308,7 +309,7 @@ TEST_CASE(scale_free)
     struct direct_contact contact = contact_of(height, 64, 64), small;
     for (size_t k = 0; k < 64 * 64; k++)
         height[k] = height[k] * 1e-9 + 1e-3; /* far off its datum */
-    expect_ok(direct_contact_make, &small, height, &(struct direct_grid){64, 64, 1e-9 / 64, false});
+    expect_ok(direct_contact_make, &small, height, &(struct direct_grid){64, 64, 1e-9 / 64, false, false});
     struct direct_contact_load load = load_of(0.05, INFINITY, 1e-9);
     struct direct_quantities found = solved(&contact, &load), other = solved(&small, &load);
     assert_int_equal(found.contact_points, other.contact_points);
@@ -478,8 +479,8 @@ TEST_CASE(mirror_images)
         struct direct_contact own, whole;
         struct direct_point found[LOADS], expected[LOADS];
         const struct direct_ladder_def ladder = {load, LOADS, hardness[h] * gradient, 1e-9, true, NULL};
-        expect_ok(direct_contact_make, &own, height, &(struct direct_grid){N, N, 1.0 / N, true});
-        expect_ok(direct_contact_make, &whole, images, &(struct direct_grid){2 * N, 2 * N, 1.0 / N, false});
+        expect_ok(direct_contact_make, &own, height, &(struct direct_grid){N, N, 1.0 / N, true, false});
+        expect_ok(direct_contact_make, &whole, images, &(struct direct_grid){2 * N, 2 * N, 1.0 / N, false, false});
         assert_non_null(own.coarse);
         expect_ok(direct_ladder_run, found, &own, &ladder);
         expect_ok(direct_ladder_run, expected, &whole, &ladder);

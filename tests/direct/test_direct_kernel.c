@@ -2,8 +2,9 @@
 #include "direct_support.h"
 
 static const struct direct_grid shapes[] = {
-    {64, 64, 0.1, false}, {20, 18, 0.1, false}, {15, 9, 0.1, false}, {17, 40, 0.1, false}, {2, 2, 0.1, false},
-    {96, 1, 0.1, false},  {35, 1, 0.1, false},  {24, 24, 0.1, true}, {15, 15, 0.1, true},  {2, 2, 0.1, true},
+    {64, 64, 0.1, false, false}, {20, 18, 0.1, false, false}, {15, 9, 0.1, false, false}, {17, 40, 0.1, false, false},
+    {2, 2, 0.1, false, false},   {96, 1, 0.1, false, false},  {35, 1, 0.1, false, false}, {24, 24, 0.1, true, false},
+    {15, 15, 0.1, true, false},  {8, 8, 0.1, true, false},    {40, 1, 0.1, true, false},  {45, 1, 0.1, true, false},
 };
 
 enum { SHAPES = sizeof shapes / sizeof *shapes };
@@ -35,15 +36,14 @@ TEST_CASE(energy_by_parseval)
     for (size_t shape = 0; shape < SHAPES; shape++)
         for (size_t step = 1; step < 4; step++) {
             struct direct_kernel kernel = kernel_of(shape);
-            const double *tables[] = {kernel.compliance, kernel.stiffness};
-            for (size_t table = 0; table < 2; table++) {
+            for (enum direct_table table = 0; table < DIRECT_TABLES; table++) {
                 size_t before = kernel.transforms;
                 double product = 0;
                 lay(&kernel, step, 0);
-                double energy = direct_kernel_energy(&kernel, tables[table]);
+                double energy = direct_kernel_energy(&kernel, table);
                 assert_int_equal(kernel.transforms - before, 1);
                 lay(&kernel, step, 0);
-                direct_kernel_convolve(&kernel, tables[table], NULL);
+                direct_kernel_convolve(&kernel, table, NULL);
                 assert_int_equal(kernel.transforms - before, 3);
                 for (size_t j = 0; j < kernel.ny; j++)
                     for (size_t i = 0; i < kernel.nx; i++)
@@ -68,9 +68,9 @@ TEST_CASE(rows_left_out)
         lay(&kernels[0], 3, 0);
         lay(&kernels[1], 3, 0);
         lay(&kernels[2], 3, 1e-200);
-        direct_kernel_convolve(&kernels[0], kernels[0].compliance, NULL);
-        direct_kernel_convolve(&kernels[1], kernels[1].compliance, wanted);
-        direct_kernel_convolve(&kernels[2], kernels[2].compliance, NULL);
+        direct_kernel_convolve(&kernels[0], DIRECT_COMPLIANCE, NULL);
+        direct_kernel_convolve(&kernels[1], DIRECT_COMPLIANCE, wanted);
+        direct_kernel_convolve(&kernels[2], DIRECT_COMPLIANCE, NULL);
         for (size_t j = 0; j < ny; j++)
             for (size_t i = 0; i < nx; i++) {
                 double found = kernels[0].field[j * stride + i];
@@ -92,24 +92,58 @@ static size_t image(size_t k, size_t n)
 TEST_CASE(mirror_images)
 {
     for (size_t shape = 0; shape < SHAPES; shape++) {
-        const size_t n = shapes[shape].nx;
+        const size_t n = shapes[shape].nx, rows = shapes[shape].ny;
+        const size_t whole_rows = rows == 1 ? 1 : 2 * rows;
         struct direct_kernel kernel, whole;
         if (!shapes[shape].mirrored)
             continue;
-        for (size_t table = 0; table < 2; table++) {
+        for (enum direct_table table = 0; table < DIRECT_TABLES; table++) {
             kernel = kernel_of(shape);
-            expect_ok(direct_kernel_make, &whole, &(struct direct_grid){2 * n, 2 * n, 0.1, false});
+            expect_ok(direct_kernel_make, &whole, &(struct direct_grid){2 * n, whole_rows, 0.1, false, false});
             lay(&kernel, 1, 0);
-            for (size_t k = 0; k < 4 * n * n; k++)
+            for (size_t k = 0; k < 2 * n * whole_rows; k++)
                 whole.field[k / (2 * n) * whole.stride + k % (2 * n)] =
-                    value_at(image(k % (2 * n), n), image(k / (2 * n), n), 1, 0);
-            direct_kernel_convolve(&kernel, table ? kernel.stiffness : kernel.compliance, NULL);
-            direct_kernel_convolve(&whole, table ? whole.stiffness : whole.compliance, NULL);
-            for (size_t k = 0; k < n * n; k++)
+                    value_at(image(k % (2 * n), n), image(k / (2 * n), rows), 1, 0);
+            direct_kernel_convolve(&kernel, table, NULL);
+            direct_kernel_convolve(&whole, table, NULL);
+            for (size_t k = 0; k < n * rows; k++)
                 assert_near(kernel.field[k / n * kernel.stride + k % n], whole.field[k / n * whole.stride + k % n],
                             1e-12);
             direct_kernel_free(&kernel);
             direct_kernel_free(&whole);
         }
     }
+}
+
+/** Single precision is good to a millionth of a field's size, in any unit of length. */
+TEST_CASE(single_precision)
+{
+    for (size_t shape = 0; shape < SHAPES; shape++)
+        for (double spacing_m = 1e-30; spacing_m < 1e31; spacing_m *= 1e30)
+            for (enum direct_table table = 0; table < DIRECT_TABLES; table++) {
+                struct direct_grid grid = shapes[shape];
+                struct direct_kernel whole, single;
+                double size = table == DIRECT_STIFFNESS ? spacing_m : 1, most = 0;
+                grid.spacing_m = spacing_m;
+                expect_ok(direct_kernel_make, &whole, &grid);
+                grid.single = true;
+                expect_ok(direct_kernel_make, &single, &grid);
+                lay(&whole, 1, 0);
+                for (size_t k = 0; k < grid.ny * whole.stride; k++)
+                    single.field[k] = whole.field[k] *= size;
+                direct_kernel_convolve(&whole, table, NULL);
+                direct_kernel_convolve(&single, table, NULL);
+                for (size_t k = 0; k < grid.nx * grid.ny; k++)
+                    most = fmax(most, fabs(whole.field[k / grid.nx * whole.stride + k % grid.nx]));
+                for (size_t k = 0; k < grid.nx * grid.ny; k++) {
+                    size_t at = k / grid.nx * whole.stride + k % grid.nx;
+                    assert_within(single.field[at] / most, whole.field[at] / most, 1e-6);
+                }
+                lay(&whole, 1, 0);
+                for (size_t k = 0; k < grid.ny * whole.stride; k++)
+                    single.field[k] = whole.field[k] *= size;
+                assert_near(direct_kernel_energy(&single, table), direct_kernel_energy(&whole, table), 1e-6);
+                direct_kernel_free(&whole);
+                direct_kernel_free(&single);
+            }
 }

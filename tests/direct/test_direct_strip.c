@@ -9,7 +9,7 @@
 static struct direct_contact strip_of(const double *height, size_t points, double spacing_m)
 {
     struct direct_contact contact;
-    expect_ok(direct_contact_make, &contact, height, &(struct direct_grid){points, 1, spacing_m, false});
+    expect_ok(direct_contact_make, &contact, height, &(struct direct_grid){points, 1, spacing_m, false, false});
     return contact;
 }
 

@@ -8,8 +8,9 @@
 #include "scan/format.h"
 #include "scan/scan.h"
 
-#include <dirent.h>
+#include <fnmatch.h>
 #include <fts.h>
+#include <glob.h>
 #include <stdio.h>
 #include <unistd.h>
 
@@ -30,7 +31,7 @@ static bool is_word_char(char c)
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
 }
 
-/** The next place at or behind `at`, before `end` (NULL: the text's), of `word` as a whole word. */
+/** Where `word` stands next as a whole word, from `at` to `end` (NULL: the end of the text). */
 static const char *find_word(const char *at, const char *end, const char *word)
 {
     size_t length = strlen(word);
@@ -47,7 +48,7 @@ static bool defines(const char *source, const char *name)
         const char *line = at;
         while (line > source && line[-1] != '\n')
             line--;
-        if ((is_word_char(*line) || *line == '}') && strchr("([ ;", at[strlen(name)]))
+        if ((is_word_char(*line) || *line == '}') && strchr("([ ;)", at[strlen(name)]))
             return true;
     }
     return false;
@@ -81,8 +82,8 @@ static bool next_span(struct span *out, const char *at)
     return true;
 }
 
-/** Numbers of the thesis's chapter 4 in the first cell of the table row that `at` stands in; starred[n]: printed with
- * an erratum. */
+/** Which equations (4.n) of the thesis the first cell of the table row at `at` names; starred[n]: with a star, which
+ * marks an erratum. */
 static void row_numbers(const char *text, const char *at, bool there[EQUATIONS + 1], bool starred[EQUATIONS + 1])
 {
     while (at > text && at[-1] != '\n')
@@ -97,7 +98,7 @@ static void row_numbers(const char *text, const char *at, bool there[EQUATIONS +
     }
 }
 
-/** The file has the name, and it or its header the numbers of the row at `at`. */
+/** Does the file define the name, and have it or its header the equation numbers of the row at `at`? */
 static void check_place(const char *text, const char *at, const char *name, const char *path)
 {
     bool there[EQUATIONS + 1], starred[EQUATIONS + 1];
@@ -116,7 +117,7 @@ static void check_place(const char *text, const char *at, const char *name, cons
     }
 }
 
-/** Checks every `name` that a document places `in` a file of src/, and returns how many there were. */
+/** Checks every `name` in `src/...` of a document, and returns how many there are. */
 static size_t check_places(const char *text)
 {
     char names[NAMES_MOST][NAME], between[NAME], word[NAME];
@@ -148,14 +149,12 @@ static size_t check_places(const char *text)
 TEST_CASE(places_exist)
 {
     size_t places = 0;
-    for (size_t d = 0; d < sizeof documents / sizeof *documents; d++) {
-        char *text = read_document(documents[d]);
-        places += check_places(text);
-    }
-    assert_true(places > 80); /* else the search finds nothing any more */
+    for (size_t d = 0; d < sizeof documents / sizeof *documents; d++)
+        places += check_places(read_document(documents[d]));
+    assert_true(places > 80); /* else the search is broken */
 }
 
-/** Every equation of the thesis has its row, and those with a star, and no others, an erratum. */
+/** Every equation of the thesis has a row; those with a star, and no others, have an erratum. */
 TEST_CASE(equations_are_complete)
 {
     char *text = read_document("docs/equations.md"), *errata = strstr(text, "\n## Errata");
@@ -290,16 +289,16 @@ static size_t room_index(const struct rooms *rooms, const char *name, size_t len
 /** Is it a file that can hold a comment? */
 static bool takes_comments(const char *name)
 {
-    static const char *const endings[] = {".c",    ".h",   ".cmake", ".md",    ".html", ".py",   ".sh",
-                                          ".yaml", ".map", ".1",     ".pc.in", ".bash", ".dict", "CMakeLists.txt"};
-    size_t length = strlen(name);
-    for (size_t i = 0; i < sizeof endings / sizeof *endings; i++)
-        if (length >= strlen(endings[i]) && strcmp(name + length - strlen(endings[i]), endings[i]) == 0)
-            return true;
-    return false;
+    static const char *const patterns[] = {"*.[ch]", "*.cmake", "*.md",          "*.html", "*.py",
+                                           "*.sh",   "*.yaml",  "*.map",         "*.1",    "*.pc.in",
+                                           "*.bash", "*.dict",  "CMakeLists.txt"};
+    bool takes = false;
+    for (size_t i = 0; i < sizeof patterns / sizeof *patterns; i++)
+        takes = takes || fnmatch(patterns[i], name, 0) == 0;
+    return takes;
 }
 
-/** Every file says under which licence it is, at its beginning. What tests read is data, as outside files are. */
+/** Every file begins with its licence, apart from the data of tests. */
 TEST_CASE(licences_are_named)
 {
     static char places[][sizeof PROJECT_SOURCE + 32] = {
@@ -343,29 +342,23 @@ static void check_includes(const struct rooms *rooms, size_t room, const char *p
 TEST_CASE(rooms_use_only_those_before)
 {
     struct rooms rooms = read_rooms("docs/CONTRIBUTING.md"), again = read_rooms("README.md");
-    size_t files = 0;
+    bool there[ROOMS] = {false};
+    glob_t files;
     assert_int_equal(rooms.count, again.count);
+    assert_int_equal(glob(PROJECT_SOURCE "/src/*/*.[ch]", 0, NULL, &files), 0);
+    assert_true(files.gl_pathc > 100);
+    for (size_t i = 0; i < files.gl_pathc; i++) {
+        const char *path = files.gl_pathv[i] + sizeof PROJECT_SOURCE, *name = path + strlen("src/");
+        size_t room = room_index(&rooms, name, strcspn(name, "/"));
+        if (room == rooms.count)
+            fail_msg("the room of %s stands in no order", path);
+        there[room] = true;
+        check_includes(&rooms, room, path);
+    }
+    globfree(&files);
     for (size_t room = 0; room < rooms.count; room++) {
         assert_string_equal(rooms.name[room], again.name[room]);
-        DIR *directory = opendir(filled("%s/src/%s", PROJECT_SOURCE, rooms.name[room]));
-        if (!directory)
+        if (!there[room])
             fail_msg("there is no room src/%s", rooms.name[room]);
-        for (const struct dirent *entry; (entry = readdir(directory));) {
-            const char *dot = strrchr(entry->d_name, '.');
-            if (!dot || (strcmp(dot, ".c") != 0 && strcmp(dot, ".h") != 0))
-                continue;
-            check_includes(&rooms, room, filled("src/%s/%s", rooms.name[room], entry->d_name));
-            files++;
-        }
-        closedir(directory);
     }
-    assert_true(files > 100);
-    /* and no room is missing from the order */
-    DIR *directory = opendir(filled("%s/src", PROJECT_SOURCE));
-    assert_non_null(directory);
-    for (const struct dirent *entry; (entry = readdir(directory));)
-        if (entry->d_name[0] != '.' && entry->d_type == DT_DIR &&
-            room_index(&rooms, entry->d_name, strlen(entry->d_name)) == rooms.count)
-            fail_msg("the room src/%s stands in no order", entry->d_name);
-    closedir(directory);
 }

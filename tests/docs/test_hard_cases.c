@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* docs/hard-cases.md as a whole: each section is of a test that is there, no number is beyond its bound, what has to be
- * among the cases is, and README.md has their count. The words of each row are held by the test that runs it. */
+/* docs/hard-cases.md as a whole: each section has its test, no number is beyond its bound, the cases that have to be
+ * there are, and README.md has their count. The test that runs a row checks its words. */
 #include "base/text.h"
 #include "support.h"
 
-#include <dirent.h>
+#include <glob.h>
 #include <stdio.h>
 
 static struct text document(const char *name)
@@ -55,35 +55,25 @@ TEST_CASE(sections_are_of_tests)
 {
     struct text page = document("docs/hard-cases.md");
     size_t sections = 0, sources = 0;
+    glob_t files;
     for (const char *at = page.data; (at = strstr(at, "\n## ")); at++)
         sections++;
-    DIR *stages = opendir(PROJECT_SOURCE "/tests");
-    assert_non_null(stages);
-    for (const struct dirent *stage; (stage = readdir(stages));) {
-        DIR *files = *stage->d_name == '.' || stage->d_type != DT_DIR
-                         ? NULL
-                         : opendir(filled("%s/tests/%s", PROJECT_SOURCE, stage->d_name));
-        for (const struct dirent *file; files && (file = readdir(files));) {
-            const char *dot = strrchr(file->d_name, '.');
-            if (strncmp(file->d_name, "test_", 5) != 0 || !dot || strcmp(dot, ".c") != 0)
-                continue;
-            const char *path = filled("tests/%s/%s", stage->d_name, file->d_name);
-            struct text source = document(path);
-            const char *macro = strstr(source.data, "\nHARD_CASES(\"");
-            if (macro) {
-                macro += strlen("\nHARD_CASES(\"");
-                const char *heading =
-                    filled("\n## %.*s\n\nRun by [%s](../%s).\n", (int)strcspn(macro, "\""), macro, path, path);
-                if (!strstr(page.data, heading))
-                    fail_msg("docs/hard-cases.md has no%s", heading);
-                sources++;
-            }
-            text_free(&source);
+    assert_int_equal(glob(PROJECT_SOURCE "/tests/*/test_*.c", 0, NULL, &files), 0);
+    for (size_t i = 0; i < files.gl_pathc; i++) {
+        const char *path = files.gl_pathv[i] + sizeof PROJECT_SOURCE;
+        struct text source = document(path);
+        const char *macro = strstr(source.data, "\nHARD_CASES(\"");
+        if (macro) {
+            macro += strlen("\nHARD_CASES(\"");
+            const char *heading =
+                filled("\n## %.*s\n\nRun by [%s](../%s).\n", (int)strcspn(macro, "\""), macro, path, path);
+            if (!strstr(page.data, heading))
+                fail_msg("docs/hard-cases.md has no%s", heading);
+            sources++;
         }
-        if (files)
-            closedir(files);
+        text_free(&source);
     }
-    closedir(stages);
+    globfree(&files);
     assert_int_equal(sections, sources);
     text_free(&page);
 }

@@ -35,7 +35,7 @@ static bool is_any(const json_t *told, const json_t *value, bool by_type)
     return any;
 }
 
-/** Does the value, found at `where`, hold to the rule? If not, `fault` says where and which keyword is broken. */
+/** Does the value at `where` follow the rule? If not, `fault` says where, and which keyword is broken. */
 static bool holds(const json_t *rule, json_t *value, const char *where, char fault[TEXT])
 {
     char inner[TEXT];
@@ -130,8 +130,8 @@ TEST_CASE(measured_points_and_ratios)
     assert_true(low < ratio && ratio < 1 && ratio < high && (1 < high) == (p > 0.05));
 }
 
-/* Its points are those of the leading model in data/contact.csv, and the measured ones; matplotlib's part is played by
- * a module that prints them. */
+/* The chart has the points of the leading model in data/contact.csv, and the measured ones; a module that prints them
+ * stands for matplotlib. */
 TEST_CASE(first_chart_is_drawn)
 {
     if (!workspace_can_run(*state, "command -v python3 >/dev/null"))
@@ -142,8 +142,9 @@ TEST_CASE(first_chart_is_drawn)
                     "def xlabel(text): pass\n"
                     "ylabel = savefig = xlabel\n"
                     "def legend(): pass\n");
-    char *at = workspace_shell(*state, "PYTHONPATH=. python3 " PROJECT_SOURCE
-                                       "/docs/first_chart.py connector/results.json a.svg");
+    static const char command[] =
+        "PYTHONPATH=. python3 " PROJECT_SOURCE "/docs/first_chart.py connector/results.json a.svg";
+    char *at = workspace_shell(*state, command);
     struct table contact = workspace_table(*state, "connector/data/contact.csv");
     const char *surface = "";
     for (size_t r = 0; r < contact.rows; r++) {
@@ -158,9 +159,7 @@ TEST_CASE(first_chart_is_drawn)
         assert_near(strtod(at, &at), table_number(&contact, r, "pressure_Pa"), 1e-14);
         assert_near(strtod(at, &at), table_number(&contact, r, "joint_ecr_ohm_m2"), 0);
     }
-    at = workspace_shell(*state,
-                         "PYTHONPATH=. python3 " PROJECT_SOURCE "/docs/first_chart.py connector/results.json a.svg");
-    at = strstr(at, ", measured\no\n");
+    at = strstr(workspace_shell(*state, command), ", measured\no\n");
     assert_non_null(at);
     assert_near(strtod(at + strlen(", measured\no\n"), &at), 5e4, 1e-14); /* 50 mN on 1 mm² */
 }

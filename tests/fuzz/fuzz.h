@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What is done with hostile bytes, the same by libFuzzer (cmake --workflow --preset fuzz) and by test_fuzz_corpus,
- * which replays the committed corpus. A broken promise ends the process with the line that says it. */
+/* What is run on hostile bytes, by libFuzzer (cmake --workflow --preset fuzz) and by test_fuzz_corpus, which replays
+ * the committed corpus. A broken promise ends the process and names its line. */
 #ifndef TEST_FUZZ_H
 #define TEST_FUZZ_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -22,36 +23,28 @@
 void fuzz_scan(const uint8_t *bytes, size_t length);
 /** The text of a scene.yaml. */
 void fuzz_scene(const uint8_t *bytes, size_t length);
-/** One letter, then a text: E or T a file of measured resistances, J a sidecar, M the properties of a material, as they
- * stand in a scene. */
+/** A letter, then a text: E or T a file of measured resistances, J a sidecar, M a scene's material, P a map of pressure
+ * on the parts. */
 void fuzz_measured(const uint8_t *bytes, size_t length);
-/** The results.json of two reports, which are compared, with a form feed between, or one that is compared with itself;
- * and what is said of them. */
+/** The results.json of two reports, with a form feed between, or of one: compared with the other or itself, and shown.
+ */
 void fuzz_compare(const uint8_t *bytes, size_t length);
-/** A template, which is filled. */
+/** A template to be filled. */
 void fuzz_template(const uint8_t *bytes, size_t length);
-
-/** The bytes of a file of scans, as fuzz_scan() takes them, whose last ones choose the scene of a whole report. */
+/** The bytes of a file of scans, as fuzz_scan() takes them; the last ones choose the scene of a whole report. */
 void fuzz_report(const uint8_t *bytes, size_t length);
 
 /** A file on the heap, so that AddressSanitizer sees every read beyond its end. Inputs that begin with "zip:" or "gz:"
  * are packed first. To be freed. */
 char *fuzz_file(const char *bytes, size_t *length);
 
-/** How many runs so far were of a good scan of that format. */
-size_t fuzz_scan_good(const char *format);
-/** How many pairs of reports were compared, and how many templates filled. */
-size_t fuzz_compare_good(void);
-size_t fuzz_template_good(void);
-/** How many reports were written. */
-size_t fuzz_report_good(void);
+/** The path of a directory, in memory where there is such a place, which is removed at the end. */
+const char *fuzz_place(void);
 
-/** Prints how many runs each format, kind of text, or call had. */
-void fuzz_scan_counts(void);
-void fuzz_scene_counts(void);
-void fuzz_measured_counts(void);
-void fuzz_compare_counts(void);
-void fuzz_template_counts(void);
-void fuzz_report_counts(void);
+/** Counts a run of that kind of input: a format, or what the function above takes. */
+void fuzz_count(const char *kind, bool good);
+/** How many of them were good. */
+size_t fuzz_good(const char *kind);
+void fuzz_print_counts(void);
 
 #endif

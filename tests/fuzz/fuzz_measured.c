@@ -7,14 +7,7 @@
 #include "scene/scene.h"
 
 static const char kinds[] = "ETJMP";
-static size_t runs[sizeof kinds], taken[sizeof kinds];
-
-void fuzz_measured_counts(void)
-{
-    static const char *const names[] = {"ECR", "TCR", "sidecar", "material", "pressure"};
-    for (size_t i = 0; i < sizeof kinds - 1; i++)
-        fprintf(stderr, "runs of %-8s %9zu, good ones %9zu\n", names[i], runs[i], taken[i]);
-}
+static const char *const names[] = {"ECR", "TCR", "sidecar", "material", "pressure"};
 
 static bool measured(const struct text *text, enum scene_measured_quantity quantity)
 {
@@ -94,7 +87,6 @@ void fuzz_measured(const uint8_t *bytes, size_t length)
                 : *kind == 'M' ? material(&text)
                 : *kind == 'P' ? pressure(&text)
                                : measured(&text, *kind == 'E' ? SCENE_MEASURED_ECR : SCENE_MEASURED_TCR);
-    runs[kind - kinds]++;
-    taken[kind - kinds] += good;
+    fuzz_count(names[kind - kinds], good);
     text_free(&text);
 }

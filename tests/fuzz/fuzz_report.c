@@ -9,19 +9,7 @@
 
 enum { CHOICES = 8 };
 
-static size_t runs, reports;
-
-void fuzz_report_counts(void)
-{
-    fprintf(stderr, "runs of reports %zu, written %zu\n", runs, reports);
-}
-
-size_t fuzz_report_good(void)
-{
-    return reports;
-}
-
-/* In place of gnuplot (ld --wrap, tests/CMakeLists.txt): every picture is there, and nothing on it. */
+/* In place of gnuplot (ld --wrap, tests/CMakeLists.txt): every picture is written, and empty. */
 enum status_code __wrap_gnuplot_start(struct gnuplot *out, const char *directory, struct status *status);
 void __wrap_gnuplot_send(struct gnuplot *gnuplot, const char *commands);
 enum status_code __wrap_gnuplot_finish(struct gnuplot *gnuplot, struct status *status);
@@ -54,7 +42,7 @@ enum status_code __wrap_gnuplot_finish(struct gnuplot *gnuplot, struct status *s
     return STATUS_OK;
 }
 
-/* splitmix64 of the input's last bytes, which so choose the scene whatever the rest is */
+/* splitmix64 of the input's last bytes, which choose the scene */
 static uint64_t chosen;
 
 static size_t below(size_t count)
@@ -65,41 +53,35 @@ static size_t below(size_t count)
     return (size_t)((z ^ (z >> 31)) % count);
 }
 
-static struct directory place;
+static const struct directory *place;
 
-static void remove_place(void)
-{
-    directory_remove(&place);
-}
-
-/* Made once, in memory where there is such a place, with a scan that is good. */
+/* A directory with a good scan. */
 static void make_place(void)
 {
-    if (place.path[0])
+    static struct directory made;
+    if (place)
         return;
-    if (!getenv("TMPDIR") && access("/dev/shm", W_OK) == 0)
-        setenv("TMPDIR", "/dev/shm", 1);
-    place = directory_make();
-    atexit(remove_place);
+    snprintf(made.path, sizeof made.path, "%s", fuzz_place());
+    place = &made;
     gsl_set_error_handler_off(); /* as the program does */
-    pipeline_rough(&place, "good.csv", 64, 1, 1);
-    directory_write(&place, "s1/scan0.csv", "");
-    pipeline_rough(&place, "s1/scan0.csv", 40, 1, 2);
+    pipeline_rough(place, "good.csv", 64, 1, 1);
+    directory_write(place, "s1/scan0.csv", "");
+    pipeline_rough(place, "s1/scan0.csv", 40, 1, 2);
 }
 
 static void put(const char *name, const char *bytes, size_t length)
 {
     struct status status = {0};
-    FUZZ_REQUIRE(text_write_file(directory_path(&place, name), bytes, length, &status) == STATUS_OK);
+    FUZZ_REQUIRE(text_write_file(directory_path(place, name), bytes, length, &status) == STATUS_OK);
 }
 
-/* What stands in a file of the report is a number, or nothing. */
+/* No file of the report has a NaN or an infinity. */
 static void require_numbers(const char *name)
 {
     static const char *const words[] = {"nan", "inf", "infinity"};
     struct text text = {0};
     struct status status = {0};
-    FUZZ_REQUIRE(text_read_file(&text, directory_path(&place, name), &status) == STATUS_OK);
+    FUZZ_REQUIRE(text_read_file(&text, directory_path(place, name), &status) == STATUS_OK);
     for (const char *at = text_string(&text); *at;) {
         size_t length = 0;
         while (isalnum((unsigned char)at[length]) || at[length] == '_')
@@ -117,7 +99,7 @@ static bool report(const struct scene *scene)
     struct run_outcome outcome;
     struct status status = {0};
     char out[256];
-    snprintf(out, sizeof out, "%s/out", place.path);
+    snprintf(out, sizeof out, "%s/out", place->path);
     const struct run_options options = {.output = out,
                                         .templates = PROJECT_SOURCE "/templates",
                                         .no_cost = below(16) > 0,
@@ -127,7 +109,7 @@ static bool report(const struct scene *scene)
     if (code == STATUS_OK) {
         FUZZ_REQUIRE(outcome.surfaces > 0 && outcome.path);
         require_numbers("out/data/surfaces.csv");
-        if (access(directory_path(&place, "out/data/contact.csv"), F_OK) == 0) /* not where all is pressed flat */
+        if (access(directory_path(place, "out/data/contact.csv"), F_OK) == 0) /* not where all is pressed flat */
             require_numbers("out/data/contact.csv");
     } else {
         FUZZ_REQUIRE((code == STATUS_SCAN || code == STATUS_SCENE || code == STATUS_MODEL) && *status.message);
@@ -137,7 +119,7 @@ static bool report(const struct scene *scene)
     return code == STATUS_OK;
 }
 
-/* The file twice, as repeated scans of a surface or as two, beside one that is good. */
+/* A surface of the file, of it twice, of it and a good scan, or two surfaces. */
 void fuzz_report(const uint8_t *bytes, size_t length)
 {
     static const char *const surfaces[] = {
@@ -161,10 +143,9 @@ void fuzz_report(const uint8_t *bytes, size_t length)
     text_add(&text, "load: {from: 1e-4, to: 0.1, points: 3}\ntolerance: 0.1\neffects: %s\n",
              effects[below(below(8) > 0 ? 3 : 4)]);
     text_add(&text, "surfaces: [%s]\n", surfaces[below(sizeof surfaces / sizeof *surfaces)]);
-    enum status_code code = scene_read(&scene, place.path, &(struct scene_overrides){.text = &text}, &status);
+    enum status_code code = scene_read(&scene, place->path, &(struct scene_overrides){.text = &text}, &status);
     FUZZ_REQUIRE(code == STATUS_OK || (code == STATUS_SCENE && *status.message));
-    reports += code == STATUS_OK && report(&scene);
-    runs++;
+    fuzz_count("report", code == STATUS_OK && report(&scene));
     scene_free(&scene);
     text_free(&text);
     free(file);

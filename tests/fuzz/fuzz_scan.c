@@ -4,36 +4,7 @@
 #include "scan/format.h"
 #include "scan/zip_support.h"
 
-enum { FORMATS = 32, MOST_PARTS = 8, MOST_MEMBERS = 16, MOST_NAME = 1024 };
-
-static struct {
-    const char *format;
-    size_t runs, scans; /* those that were a scan */
-} counts[FORMATS];
-
-static void count_run(const char *format, bool scan)
-{
-    size_t i = 0;
-    while (i < FORMATS - 1 && counts[i].format && strcmp(counts[i].format, format) != 0)
-        i++;
-    counts[i].format = format;
-    counts[i].runs++;
-    counts[i].scans += scan;
-}
-
-size_t fuzz_scan_good(const char *format)
-{
-    size_t i = 0;
-    while (i < FORMATS && counts[i].format && strcmp(counts[i].format, format) != 0)
-        i++;
-    return i < FORMATS && counts[i].format ? counts[i].scans : 0;
-}
-
-void fuzz_scan_counts(void)
-{
-    for (size_t i = 0; i < FORMATS && counts[i].format; i++)
-        fprintf(stderr, "runs of %-9s %9zu, scans %9zu\n", counts[i].format, counts[i].runs, counts[i].scans);
-}
+enum { MOST_PARTS = 8, MOST_MEMBERS = 16, MOST_NAME = 1024 };
 
 /* What scan.h promises of a scan. */
 static void require_sound(const struct scan *scan)
@@ -54,8 +25,8 @@ static void require_sound(const struct scan *scan)
         FUZZ_REQUIRE(*scan->warnings[i] && !strchr(scan->warnings[i], '\n'));
 }
 
-/* A zip archive of the members, each a line with its name behind '=', then its bytes up to the next line that begins
- * so: what is inside an archive is read only where its checksum is right, which no mutation of the archive keeps. */
+/* A zip archive of members, each a line `=name` and its bytes up to the next such line: a mutation of the archive
+ * itself would break its checksums, and nothing in it be read. */
 static struct text pack_zip(const char *at, const char *end)
 {
     struct packed members[MOST_MEMBERS];
@@ -94,7 +65,7 @@ char *fuzz_file(const char *bytes, size_t *length)
 
 void fuzz_scan(const uint8_t *bytes, size_t length)
 {
-    /* what the scene says of the file follows from its length */
+    /* the file's length decides what the scene says of it */
     struct scan_options options = {.x_unit = "mm", .z_unit = "um"};
     if (length % 8 == 6) {
         options.x_column = 1;
@@ -127,6 +98,6 @@ void fuzz_scan(const uint8_t *bytes, size_t length)
         FUZZ_REQUIRE(options.entry == 0 || options.entry > entry); /* an archive has an end */
         scan_free(&scan);
     } while (options.entry > 0 && ++parts < MOST_PARTS);
-    count_run(format ? format : "none", any);
+    fuzz_count(format ? format : "none", any);
     free(copy);
 }

@@ -4,13 +4,6 @@
 #include "scene/scene.h"
 #include <math.h>
 
-static size_t runs, scenes;
-
-void fuzz_scene_counts(void)
-{
-    fprintf(stderr, "runs of scenes %zu, good ones %zu\n", runs, scenes);
-}
-
 static void require_sound(const struct scene *scene)
 {
     FUZZ_REQUIRE(scene->surface_count > 0 && scene->title && scene->directory);
@@ -44,8 +37,7 @@ void fuzz_scene(const uint8_t *bytes, size_t length)
         require_sound(&scene);
     else
         FUZZ_REQUIRE(code == STATUS_SCENE && *status.message && !strchr(status.message, '\n'));
-    runs++;
-    scenes += code == STATUS_OK;
+    fuzz_count("scene", code == STATUS_OK);
     scene_free(&scene);
     text_free(&text);
 }

@@ -23,7 +23,7 @@ static double *surface_of(double gamma, double waves, size_t n, uint64_t seed)
 static struct direct_contact contact_of(const double *height, size_t n)
 {
     struct direct_contact contact;
-    expect_ok(direct_contact_make, &contact, height, &(struct direct_grid){n, n, 1 / (double)n, false});
+    expect_ok(direct_contact_make, &contact, height, &(struct direct_grid){n, n, 1 / (double)n, false, false});
     return contact;
 }
 
@@ -92,7 +92,7 @@ TEST_CASE(complete_contact_from_both_sides)
     struct direct_contact contact = contact_of(height, N);
     struct direct_kernel *kernel = &contact.kernel;
     memcpy(kernel->field, contact.height_m, N * kernel->stride * sizeof(double));
-    direct_kernel_convolve(kernel, kernel->stiffness, NULL);
+    direct_kernel_convolve(kernel, DIRECT_STIFFNESS, NULL);
     for (size_t j = 0; j < N; j++)
         for (size_t i = 0; i < N; i++)
             least = fmin(least, kernel->field[j * kernel->stride + i] / 2);
@@ -160,7 +160,7 @@ TEST_CASE(no_surface)
             height[k] = cases[c].offset + cases[c].rough * (double)(k % 7);
         height[200] = cases[c].one;
         enum status_code code =
-            direct_contact_make(&contact, height, &(struct direct_grid){N, N, 1.0 / N, false}, &status);
+            direct_contact_make(&contact, height, &(struct direct_grid){N, N, 1.0 / N, false, false}, &status);
         hard_case("no surface: constant, 1e-16 or 1e-200 of roughness, 5e-324, holes, infinite heights",
                   "0/0 in the first step", "refused: flat, or not finite", "not refused", code != STATUS_MODEL, 0);
         if (!strstr(status.message, cases[c].says))

@@ -60,7 +60,7 @@ static struct tiles cut(size_t nx, size_t ny, uint64_t seed, double (*look)(doub
         square += surface[k] * surface[k] / (double)(n * n);
     for (size_t k = 0; k < nx * ny; k++)
         scan.z_m[k] = 1e-6 * look(surface[k / nx * n + k % nx] / sqrt(square));
-    const struct direct_map_def def = {nx, ny, 1e-6, 1e-6, false, 0};
+    const struct direct_map_def def = {nx, ny, 1e-6, 1e-6, false, 0, false};
     tiles_take(&tiles, &scan, &def);
     assert_null(scan.z_m);
     return tiles;
@@ -80,6 +80,7 @@ static void compare(double rms[3], const struct tiles *tiles, double hardness)
     size_t count = 0;
     double gradient = sqrt(2 * spectrum_moment(&tiles->transfer->spectrum, 1));
     expect_ok(direct_map_make, &map, tiles->height_m, &tiles->def, SIZE_MAX);
+    map.grid.single = false;
     expect_ok(direct_contact_make, &contact, map.height_m, &map.grid);
     rms[0] = rms[1] = rms[2] = 0;
     for (double share = 0.0021; share < 2; share *= 1.9) {
@@ -318,7 +319,7 @@ TEST_CASE(other_maps)
     double height[40 * 40] = {0};
     struct scan scan = {.nx = 40, .ny = 40, .dx_m = 1e-6, .dy_m = 1.02e-6, .z_m = height};
     struct tiles tiles = {.height_m = NULL};
-    const struct direct_map_def def = {40, 40, 1e-6, 1e-6, false, 0};
+    const struct direct_map_def def = {40, 40, 1e-6, 1e-6, false, 0, false};
     tiles_take(&tiles, &scan, &def);
     assert_true(scan.z_m && !tiles.height_m && tiles_cost(&tiles, false) == 0 && !tiles_fit(&tiles, false, INFINITY));
     scan.dy_m = 1e-6;

@@ -76,9 +76,8 @@ static void assert_whole(const struct directory *place, const char *target, cons
     char *text = directory_read(place, filled("%s/results.json", target));
     if (!word)
         word = strcmp(text, "one") == 0 ? "one" : "two";
-    for (size_t i = 0; i < REPORTS_FILES; i++) {
+    for (size_t i = 0; i < REPORTS_FILES; i++)
         directory_holds(place, filled("%s/%s", target, reports_files[i]), word);
-    }
     assert_true(directory_has(place, filled("%s/manifest.txt", target)));
 }
 
@@ -114,16 +113,14 @@ enum { USERS_FILES = sizeof users_files / sizeof *users_files, FEW = 2 };
 
 static void write_users_files(const struct directory *place, const char *target, size_t count)
 {
-    for (size_t i = 0; i < count; i++) {
+    for (size_t i = 0; i < count; i++)
         directory_write(place, filled("%s/%s", target, users_files[i]), users_files[i]);
-    }
 }
 
 static void assert_users_files(const struct directory *place, const char *target, size_t count)
 {
-    for (size_t i = 0; i < count; i++) {
+    for (size_t i = 0; i < count; i++)
         directory_holds(place, filled("%s/%s", target, users_files[i]), users_files[i]);
-    }
 }
 
 /* Of the process that it was: 'f' a file, 'l' a link, 'p' a pipe, 'd' a directory. */
@@ -596,7 +593,6 @@ TEST_CASE(test_what_comes_at_any_instant_is_not_lost)
 /* Begins, fills and commits in a process of its own where `call` fails; returns the status code. */
 static int publish_without(const struct directory *place, unsigned call, unsigned reason)
 {
-    int state;
     pid_t child = divide();
     if (child == 0) {
         struct exchange output;
@@ -609,11 +605,7 @@ static int publish_without(const struct directory *place, unsigned call, unsigne
         exchange_abandon(&output);
         _exit((int)status.code);
     }
-    assert_int_equal(waitpid(child, &state, 0), child);
-    assert_true(WIFEXITED(state));
-    if (WEXITSTATUS(state) == 77)
-        skip();
-    return WEXITSTATUS(state);
+    return exit_of(child);
 }
 
 TEST_IN_DIRECTORY(test_file_systems_that_can_do_less)
@@ -644,49 +636,34 @@ TEST_CASE(test_a_name_that_is_too_long_is_refused)
     exchange_abandon(&output);
 }
 
-/* Runs act() in a process of its own and kills it there. */
-static void kill_after(void (*act)(const struct directory *place), const struct directory *place)
+/* Begins in a process of its own, with `note` (NULL: does not) fills and links that file of the user's, and is killed.
+ */
+static void begin_and_die(const struct directory *place, const char *target, const char *note)
 {
+    int state;
     pid_t child = divide();
     if (child == 0) {
-        act(place);
+        struct exchange output;
+        begin(&output, place, target);
+        if (note)
+            fill(&output, "half");
+        if (note &&
+            linkat(AT_FDCWD, directory_path(place, note), AT_FDCWD, filled("%s/notes.md", output.staging), 0) != 0)
+            _exit(1);
         raise(SIGKILL);
     }
-    int state;
     assert_int_equal(waitpid(child, &state, 0), child);
     assert_true(WIFSIGNALED(state));
-}
-
-static void only_begin(const struct directory *place)
-{
-    static struct exchange output;
-    begin(&output, place, "out");
-}
-
-static void only_begin_sticky(const struct directory *place)
-{
-    static struct exchange output;
-    begin(&output, place, "sticky/out");
-}
-
-static void begin_and_fill(const struct directory *place)
-{
-    struct exchange output;
-    begin(&output, place, "a");
-    fill(&output, "half");
-    if (linkat(AT_FDCWD, directory_path(place, "out/notes.md"), AT_FDCWD, filled("%s/notes.md", output.staging), 0) !=
-        0)
-        _exit(1);
 }
 
 TEST_IN_DIRECTORY(test_what_killed_runs_left_is_cleared_away)
 {
     publish(place, "out", "one");
     write_users_files(place, "out", USERS_FILES);
-    kill_after(only_begin, place);
-    kill_after(begin_and_fill, place);
+    begin_and_die(place, "out", NULL);
+    begin_and_die(place, "a", "out/notes.md");
     play(place, "entries . 2|publish out two|entries . 1");
-    kill_after(begin_and_fill, place); /* whichever run comes there next */
+    begin_and_die(place, "a", "out/notes.md"); /* whichever run comes there next */
     play(place, "publish other one|entries . 2|holds out/report.md two|stay out");
 }
 
@@ -811,9 +788,7 @@ TEST_IN_DIRECTORY(test_runs_into_one_out)
 TEST_CASE(test_a_mount_point_is_refused)
 {
     struct exchange output;
-    expect_fails(STATUS_IO,
-                 "is a mount point, which a report cannot take the place of; name a "
-                 "directory in it",
+    expect_fails(STATUS_IO, "is a mount point, which a report cannot take the place of; name a directory in it",
                  exchange_begin, &output, "/proc/");
     assert_string_equal(output.staging, ""); /* nothing was made */
     exchange_abandon(&output);
@@ -855,7 +830,7 @@ TEST_IN_DIRECTORY(test_a_set_group_id_directory)
     assert_int_equal(mkdir(directory_path(place, "plain"), 0777), 0);
     publish(place, "out", "one");
     assert_int_equal(mode_of(place, "out"), mode_of(place, "plain"));
-    kill_after(only_begin, place);
+    begin_and_die(place, "out", NULL);
     assert_int_equal(directory_entries(place, ""), 3);
     publish(place, "out", "two");
     assert_int_equal(mode_of(place, "out"), mode_of(place, "plain"));
@@ -912,20 +887,25 @@ TEST_IN_DIRECTORY(test_a_full_disk_leaves_the_report_before)
 TEST_IN_DIRECTORY(test_what_others_own_is_refused)
 {
     enum { NOBODY = 65534 };
+    static const struct {
+        const char *name;
+        mode_t mode;
+    } modes[] = {{"sticky/out", 0777},
+                 {"sticky/out/data", 0777},
+                 {"sticky/out/figures", 0777},
+                 {"sticky", 01777},
+                 {"closed/out", 0777},
+                 {"closed", 0555},
+                 {"open", 0777},
+                 {".", 0755}};
     if (geteuid() != 0)
         skip();
     publish(place, "sticky/out", "one");
-    assert_int_equal(chmod(directory_path(place, "sticky/out"), 0777), 0);
-    assert_int_equal(chmod(directory_path(place, "sticky/out/data"), 0777), 0);
-    assert_int_equal(chmod(directory_path(place, "sticky/out/figures"), 0777), 0);
-    assert_int_equal(chmod(directory_path(place, "sticky"), 01777), 0);
     publish(place, "closed/out", "one");
-    assert_int_equal(chmod(directory_path(place, "closed/out"), 0777), 0);
-    assert_int_equal(chmod(directory_path(place, "closed"), 0555), 0);
     publish(place, "open/out", "one");
-    assert_int_equal(chmod(directory_path(place, "open"), 0777), 0);
-    assert_int_equal(chmod(place->path, 0755), 0);
-    kill_after(only_begin_sticky, place); /* is root's: stays */
+    for (size_t i = 0; i < sizeof modes / sizeof *modes; i++)
+        assert_int_equal(chmod(directory_path(place, modes[i].name), modes[i].mode), 0);
+    begin_and_die(place, "sticky/out", NULL); /* is root's: stays */
     pid_t child = divide();
     if (child == 0) {
         if (setgid(NOBODY) != 0 || setuid(NOBODY) != 0)

@@ -221,6 +221,7 @@ TEST_CASE(test_the_leading_model_and_the_heights)
     assert_string_equal(json_string_value(json_object_get(root, "leading")), "strip-plastic");
     assert_string_equal(json_string_value(json_object_get(elastic, "leading")), "strip");
     const json_t *surface = json_surface(elastic, "smooth"), *models = json_object_get(surface, "models");
+    assert_within(json_number_value(json_object_get(json_object_get(models, "strip"), "area_load_slope")), 1, 0.1);
     assert_near(json_number_value(json_object_get(surface, "heights_factor_ecr")),
                 middle_ecr(elastic, models, "strip") / middle_ecr(elastic, models, "corrected-persson"), 1e-12);
 }

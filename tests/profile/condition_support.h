@@ -52,6 +52,16 @@ static inline void assert_note(const struct profile *profile, const char *words)
     fail_msg("no note holds '%s'", words);
 }
 
+/* A profile, which is freed, whose notes hold `words`, or where not `there` do not. */
+static inline void expect_note(struct profile profile, const char *words, bool there)
+{
+    if (there)
+        assert_note(&profile, words);
+    else
+        assert_null(find_note(&profile, words));
+    profile_free(&profile);
+}
+
 /* A number between -1 and 1, the same in every run. */
 static inline double noise(uint64_t *seed)
 {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The pipeline as a whole: header spacings, filters in their order, and the warnings. */
+/* Making a profile as a whole: header spacings, filters in their order, and the warnings. */
 #include "condition_support.h"
 #include "scan/scan.h"
 
@@ -28,7 +28,7 @@ static struct profile condition(double spacing_m, struct profile_options options
     return profile_good(&scan, &options);
 }
 
-/* Dektak prints x to 0.1 um and its spacing in the header; a header that does not fit is not believed. */
+/* Dektak prints x to 0.1 um and the spacing in the header, which is used if it fits. */
 TEST_CASE(test_header_spacing_of_rounded_positions)
 {
     static const struct {
@@ -51,7 +51,7 @@ TEST_CASE(test_header_spacing_of_rounded_positions)
     }
 }
 
-/* lambda_s and lambda_c leave of a wave what both transmissions say. */
+/* The filters multiply a wave by their transmissions. */
 TEST_CASE(test_filters)
 {
     make_smooth();
@@ -63,9 +63,7 @@ TEST_CASE(test_filters)
     assert_note(&profile, "low-pass lambda_s = 40 um");
     assert_note(&profile, "high-pass lambda_c = 100 um");
     profile_free(&profile);
-    profile = condition(1e-6, (struct profile_options){.lambda_s_m = 1e-6});
-    assert_note(&profile, "below twice the spacing");
-    profile_free(&profile);
+    expect_note(condition(1e-6, (struct profile_options){.lambda_s_m = 1e-6}), "below twice the spacing", true);
     struct scan scan = scan_on(NULL, z, POINTS, 1e-6);
     assert_profile_refused(&scan, &(struct profile_options){.lambda_c_m = 0.01},
                            "lambda_c is 0.01 m, longer than the scan");
@@ -76,7 +74,7 @@ TEST_CASE(test_filters)
     assert_profile_refused(&scan, &(struct profile_options){.lambda_s_m = 0}, "differ by no more than");
 }
 
-/* Uneven points: kept as measured until a filter makes them something else. */
+/* Uneven points are kept as measured, unless a filter changes them. */
 TEST_CASE(test_measured_points)
 {
     uint64_t seed = 1;
@@ -108,15 +106,11 @@ TEST_CASE(test_a_good_profile_needs_no_note)
 TEST_CASE(test_units_that_cannot_be)
 {
     make_smooth();
-    struct profile profile = condition(1e-12, profile_defaults);
-    assert_note(&profile, "is above the length of the scan");
-    profile_free(&profile);
-    profile = condition(1e-9, profile_defaults);
-    assert_note(&profile, "the steepest slope is 97.6 (89 degrees)");
-    profile_free(&profile);
+    expect_note(condition(1e-12, profile_defaults), "is above the length of the scan", true);
+    expect_note(condition(1e-9, profile_defaults), "the steepest slope is 97.6 (89 degrees)", true);
 }
 
-/* Heights rounded to q: found whatever the offset, and told where q²/(2 h^4) is a fifth of m4. */
+/* Heights rounded to q: found whatever the offset, and noted where q²/(2 h^4) is a fifth of m4. */
 TEST_CASE(test_digitising)
 {
     static const double offsets_m[] = {0, 3e-3, -7e-2};
@@ -125,28 +119,24 @@ TEST_CASE(test_digitising)
         for (size_t i = 0; i < POINTS; i++) /* a 12.9 nm converter, printed to 1 nm */
             z[i] = offsets_m[o] + round(round(z[i] / 12.9e-9) * 12.9) * 1e-9;
         assert_near(profile_digitiser_step(z, POINTS), 12.9e-9, 0.02);
-        struct profile profile = condition(1e-6, profile_defaults);
-        assert_note(&profile, "heights come in steps of 12.");
-        profile_free(&profile);
+        expect_note(condition(1e-6, profile_defaults), "heights come in steps of 12.", true);
     }
     make_smooth();
     assert_near(profile_digitiser_step(z, POINTS), 0, 0);
     for (size_t i = 0; i < POINTS; i++)
         z[i] = round(z[i] / 1e-9) * 1e-9; /* seen, but it makes 1 % of m4 */
-    struct profile profile = condition(1e-6, profile_defaults);
-    assert_null(find_note(&profile, "steps of"));
-    profile_free(&profile);
+    expect_note(condition(1e-6, profile_defaults), "steps of", false);
     uint64_t seed = 3;
     for (size_t i = 0; i < POINTS; i++)
         z[i] = 1e-6 * noise(&seed);
     assert_near(profile_digitiser_step(z, POINTS), 0, 0);
 }
 
-/* The tilt is off: a steep one makes all differences of neighbours alike, which is no digitiser; one that the
- * instrument took out leaves them off the multiples of its step, which are there all the same. */
+/* A steep tilt makes all differences of neighbours alike, which is no digitiser; one that the instrument took out after
+ * digitising shifts them all by the same amount, and the step is found all the same. */
 TEST_CASE(test_digitising_under_a_tilt)
 {
-    static const double tilts_m[] = {0, 7.7e-9, -4.3e-7, 5e-6}; /* a point */
+    static const double tilts_m[] = {0, 7.7e-9, -4.3e-7, 5e-6}; /* for each point */
     for (size_t t = 0; t < sizeof tilts_m / sizeof *tilts_m; t++) {
         make_smooth();
         for (size_t i = 0; i < POINTS; i++)
@@ -175,12 +165,9 @@ TEST_CASE(test_noise)
     assert_non_null(note);
     double ratio = strtod(note + strlen("m4 is noise of the shortest wavelengths: "), NULL);
     assert_true(ratio > 14 && ratio < 16);
-    assert_null(find_note(&profile, "lambda_s_m")); /* the scene's key by the name it has now */
-    assert_non_null(find_note(&profile, "give lambda_s"));
-    profile_free(&profile);
-    profile = condition(1e-6, (struct profile_options){.lambda_s_m = 8e-6});
-    assert_null(find_note(&profile, "m4 is noise"));
-    profile_free(&profile);
+    assert_null(find_note(&profile, "lambda_s_m")); /* the scene's key is lambda_s */
+    expect_note(profile, "give lambda_s", true);
+    expect_note(condition(1e-6, (struct profile_options){.lambda_s_m = 8e-6}), "m4 is noise", false);
 }
 
 /* Waves of 64.37 um and 1 um: RMS radius of curvature sqrt(2) (64.37/2 pi)² = 148 um. */
@@ -191,27 +178,18 @@ TEST_CASE(test_tip_radius)
         double tip_m;
         bool warns;
     } rows[] = {{0, false}, {140e-6, false}, {150e-6, true}};
-    for (size_t r = 0; r < 3; r++) {
-        struct profile profile = condition(1e-6, (struct profile_options){.tip_radius_m = rows[r].tip_m});
-        assert_int_equal(find_note(&profile, "the RMS radius of curvature, 149 um, is below the tip radius") != NULL,
-                         rows[r].warns);
-        profile_free(&profile);
-    }
+    for (size_t r = 0; r < 3; r++)
+        expect_note(condition(1e-6, (struct profile_options){.tip_radius_m = rows[r].tip_m}),
+                    "the RMS radius of curvature, 149 um, is below the tip radius", rows[r].warns);
 }
 
 TEST_CASE(test_ends_and_few_points)
 {
     for (size_t i = 0; i < POINTS; i++) /* a flat line whose last point is off */
         z[i] = 1e-8 * sin((double)i) + (i == POINTS - 1 ? 1e-6 : 0);
-    struct profile profile = condition(1e-6, profile_defaults);
-    assert_note(&profile, "the ends of the record differ by 0.99");
-    profile_free(&profile);
+    expect_note(condition(1e-6, profile_defaults), "the ends of the record differ by 0.99", true);
     struct scan scan = scan_on(NULL, z, 63, 1e-6);
-    profile = profile_good(&scan, &profile_defaults);
-    assert_note(&profile, "only 63 points; the spectrum has 31 harmonics");
-    profile_free(&profile);
+    expect_note(profile_good(&scan, &profile_defaults), "only 63 points; the spectrum has 31 harmonics", true);
     scan.nx = 64;
-    profile = profile_good(&scan, &profile_defaults);
-    assert_null(find_note(&profile, "points;"));
-    profile_free(&profile);
+    expect_note(profile_good(&scan, &profile_defaults), "points;", false);
 }

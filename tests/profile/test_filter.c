@@ -10,8 +10,8 @@ static void smooth(double *z, size_t points, double spacing_m, double cutoff_m)
     expect_ok(filter_gaussian, z, &profile, cutoff_m);
 }
 
-/* Of a record that closes on itself every harmonic passes as the standard says, up to both ends: transforms of even,
- * odd and prime length, weights that reach around more than half of it. */
+/* Harmonics of a periodic record pass as the standard says, up to both ends: transforms of even, odd and prime length,
+ * weights that reach over more than half of the record. */
 TEST_CASE(test_harmonics_of_a_periodic_record)
 {
     static const struct {

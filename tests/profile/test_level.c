@@ -25,7 +25,7 @@ static void make_rough(double *height_m, size_t points)
         height_m[j] = 1e-6 * (noise(&seed) + 0.3 * sin(0.01 * (double)j));
 }
 
-/* What is left is orthogonal to 1, u, u², as far as the level goes, and not beyond. */
+/* What is left is orthogonal to the powers of u that were taken out, and to no others. */
 TEST_CASE(test_what_is_left_is_orthogonal)
 {
     double height_m[ROUGH];
@@ -65,7 +65,7 @@ TEST_CASE(test_what_is_taken_out_is_a_polynomial)
     assert_memory_equal(after_m, before_m, sizeof after_m);
 }
 
-/* An added mean, line or parabola, larger than the roughness, leaves no trace beyond its rounding. */
+/* An added mean, line or parabola, larger than the roughness, is taken out to its rounding. */
 TEST_CASE(test_an_added_polynomial_changes_nothing)
 {
     static const double added_m[3] = {1e-3, 2e-4, -5e-4}; /* of u = 0...1 */
@@ -88,7 +88,7 @@ TEST_CASE(test_an_added_polynomial_changes_nothing)
         }
 }
 
-/* Exact arcs, from nearly flat to steep, crowns and hollows, their middle off the record's: nothing is left. */
+/* Of exact arcs nothing is left: nearly flat to steep, crowns and hollows, off the record's middle. */
 TEST_CASE(test_an_arc_is_taken_out_whole)
 {
     static const double radii_m[] = {1e4, 10, 0.05, 3e-3, 1.6e-3};
@@ -111,7 +111,7 @@ TEST_CASE(test_an_arc_is_taken_out_whole)
         }
 }
 
-/* Two points have no arc: the record's own error, as one of a map is left out with others that go on. */
+/* Two points have no arc. The error is the record's: a map goes on without such a row. */
 TEST_CASE(test_too_few_points_for_an_arc)
 {
     struct levelling levelling;
@@ -138,8 +138,7 @@ TEST_CASE(test_an_arc_is_a_least_squares_fit)
         assert_within(product[p], 0, 1e-7 * 1e-6);
 }
 
-/* Every twentieth point is a spike, all to one side: the least-squares line tilts and sinks, the robust one does not.
- */
+/* Every twentieth point is a spike upwards: the least-squares line tilts and rises, the robust one does not. */
 TEST_CASE(test_outliers_do_not_move_the_robust_line)
 {
     static double clean[POINTS], z[POINTS], plain[POINTS];
@@ -162,7 +161,7 @@ TEST_CASE(test_outliers_do_not_move_the_robust_line)
     assert_true(worst < 1e-8);
 }
 
-/* Without outliers it is the least-squares line but for the weights; on an exact line with spikes it is that line. */
+/* Without outliers it is nearly the least-squares line; of an exact line with spikes it is that line. */
 TEST_CASE(test_robust_line_of_clean_records)
 {
     static double z[POINTS], plain[POINTS];
@@ -180,7 +179,7 @@ TEST_CASE(test_robust_line_of_clean_records)
     assert_within(z[50], 0, 1e-12);
 }
 
-/* Exact polynomials over positions with steps of 1 to 3 vanish; as if uniform they would not. */
+/* Exact polynomials over positions with steps of 1 to 3 vanish, as they would not over uniform ones. */
 TEST_CASE(test_uneven_positions_count)
 {
     static double x[POINTS], z[POINTS];
@@ -198,8 +197,8 @@ TEST_CASE(test_uneven_positions_count)
     }
 }
 
-/* The pipeline says what it took out. */
-TEST_CASE(test_levelling_is_told)
+/* The notes say what was taken out. */
+TEST_CASE(test_levelling_is_noted)
 {
     static double z[POINTS];
     uint64_t seed = 9;
@@ -208,11 +207,10 @@ TEST_CASE(test_levelling_is_told)
         z[i] = 1e-7 * noise(&seed) - x * x / 2 / 0.025 + (i == 77 ? 1e-3 : 0);
     }
     struct scan scan = scan_on(NULL, z, POINTS, 1e-6);
-    struct profile profile = profile_good(&scan, &(struct profile_options){.level = LEVEL_ROBUST});
-    assert_note(&profile, "robust line was taken out; ");
-    profile_free(&profile);
+    expect_note(profile_good(&scan, &(struct profile_options){.level = LEVEL_ROBUST}), "robust line was taken out; ",
+                true);
     z[77] = z[76];
-    profile = profile_good(&scan, &(struct profile_options){.level = LEVEL_CIRCLE});
+    struct profile profile = profile_good(&scan, &(struct profile_options){.level = LEVEL_CIRCLE});
     assert_note(&profile, "an arc of radius 25");
     assert_note(&profile, "mm (crown) was taken out");
     profile_free(&profile);

@@ -40,7 +40,7 @@ static void assert_comes_back(const struct synth_def *def)
     struct power_law law = power_law_fit(&spectrum, band_m);
     assert_near(law.alpha, def->alpha, 1e-9);
     assert_within(law.gamma, def->gamma, 1e-9);
-    /* the misfit's square is a difference of sums: of no scatter at all its root keeps half the digits */
+    /* the misfit's square is a difference of sums: without scatter its root has half the digits */
     assert_within(law.misfit_decades, def->scatter_decades, def->scatter_decades > 0 ? 1e-9 : 1e-7);
     double rq_m = root_mean_square(height_m, def->points);
     if (def->rq_m > 0)
@@ -81,7 +81,7 @@ TEST_CASE(test_the_cut_off)
     spectrum_free(&spectrum);
 }
 
-/* Of a surface that is scaled to its Rq every height is as many times as high. */
+/* Scaling to an Rq multiplies all heights by the same factor. */
 TEST_CASE(test_scaled_to_rq)
 {
     static const double rq_m[] = {1e-12, 4e-7, 5e-6, 0.1};
@@ -139,7 +139,7 @@ TEST_CASE(test_what_cannot_be_made_is_refused)
     }
 }
 
-/* One line of surfaces/make.sh into settings; returns the file it makes. */
+/* Reads a line of surfaces/make.sh; returns the file that it makes. */
 static const char *parse_synth_line(char *line, struct synth_def *def)
 {
     const struct {
@@ -181,7 +181,7 @@ static void assert_file_holds(const char *file, const struct synth_def *def)
     scan_free(&scan);
 }
 
-/* The committed scans are what surfaces/make.sh makes, to the picometre they are printed with. */
+/* The sample scans are those of surfaces/make.sh, to the picometre with which they are printed. */
 TEST_CASE(test_the_sample_surfaces_are_what_make_sh_makes)
 {
     char line[1024];

@@ -18,12 +18,12 @@ static int end(void **state)
 PLACED(test_power_laws)
 {
     made_up_make(&made, NULL);
-    const struct comparison *c = &made.comparison;
-    assert_int_equal(c->leading, made_up_model("multiscale-plastic"));
-    assert_near(comparison_middle(&made.results, c->leading, 0).value[QUANTITY_AREA], 0.1, 1e-12);
-    assert_near(comparison_middle(&made.results, c->leading, 1).value[QUANTITY_AREA], 0.2, 1e-12);
-    assert_near(comparison_middle(&made.results, c->leading, 2).value[QUANTITY_ECR], 3.75e-10, 1e-12);
-    assert_true(isnan(comparison_middle(&made.results, c->leading, 3).value[QUANTITY_LOAD])); /* refused */
+    const size_t leading = made_up_model("multiscale-plastic");
+    assert_int_equal(plan_leading_model(&made.plan), leading);
+    assert_near(comparison_middle(&made.results, leading, 0).value[QUANTITY_AREA], 0.1, 1e-12);
+    assert_near(comparison_middle(&made.results, leading, 1).value[QUANTITY_AREA], 0.2, 1e-12);
+    assert_near(comparison_middle(&made.results, leading, 2).value[QUANTITY_ECR], 3.75e-10, 1e-12);
+    assert_true(isnan(comparison_middle(&made.results, leading, 3).value[QUANTITY_LOAD])); /* refused */
 }
 
 /** JG of the first surface ends below the middle load, and the second has none. */
@@ -118,11 +118,11 @@ TEST_CASE(test_a_scan_that_scatters_little_by_chance)
     const struct estimate *estimates[] = {&of[0], &of[1], &of[2], &of[3]};
     const struct comparison_pair two = comparison_of_two(&of[0], &of[2]);
     for (size_t scans = 1; scans < 4; scans += 2) {
-        struct comparison_ranking ranking = {.count = 4};
+        struct comparison ranking = {.count = 4};
         of[2].count = of[3].count = scans;
         expect_ok(comparison_test, &ranking, estimates);
         const struct comparison_pair *pair = comparison_pair_of(&ranking, 0, 2);
         assert_true((pair->high - pair->low > 1.01 * (two.high - two.low)) == (scans == 1));
-        comparison_ranking_free(&ranking);
+        comparison_free(&ranking);
     }
 }

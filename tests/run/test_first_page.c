@@ -205,3 +205,19 @@ TEST_IN_PLACE(test_brief)
 }
 
 TEST_GROUP(place_setup, directory_teardown)
+
+/* Of a metal this hard yielding changes little: it raises the conductance, as it lowers the resistance. */
+TEST_IN_DIRECTORY(an_effect_of_little_has_its_sign)
+{
+    static const char *const asked[][2] = {{"conductance: 1e4 W/m2/K", "conductance changes by 0."},
+                                           {"tcr: 1e-4 m2 K/W", "resistance changes by −0."}};
+    pipeline_rough(place, "in/a.csv", 400, 1, 1);
+    for (int k = 0; k < 2; k++) {
+        directory_write(place, "in/scene.yaml",
+                        filled("material: tin\nhardness: 20 GPa\nload: {from: 1e-6, to: 1e-2, points: 9}\n"
+                               "operating_load: 1e-4\ntargets: [{%s}]\n",
+                               asked[k][0]));
+        assert_int_equal(pipeline_run(place, "in", "out", 1), 0);
+        expect_in_file(place, "out/report.md", asked[k][1]);
+    }
+}

@@ -182,7 +182,7 @@ TEST_IN_PLACE(test_no_law)
     expect_in_file(place, "none-out/report.md", "no power law found",
                    "No power law of a decade was found on 5 surfaces.",
                    "On 5 of 5 surfaces the spectrum does not tell γ");
-    expect_not_in_file(place, "none-out/report.md", "No surface's γ is below 1", "would take at most");
+    expect_not_in_file(place, "none-out/report.md", "No surface's γ is below 1", "would lower the area by at most");
     struct table table = directory_table(place, "none-out/data/spectrum.csv");
     assert_string_equal(table_text(&table, 0, "fit_m"), "");
 }
@@ -226,18 +226,18 @@ TEST_IN_PLACE(test_what_lies_below_a_cut_off)
     assert_int_equal(pipeline_run(place, "cut", "cut-out", 1), 0);
     char *report = directory_read(place, "cut-out/report.md");
     assert_non_null(strstr(report, "The spectrum does not tell γ at short wavelengths, nor what lies below."));
-    assert_null(strstr(report, "would take at most"));
+    assert_null(strstr(report, "would lower the area by at most"));
     assert_null(strstr(report, "γ is below 1: there the area depends"));
 
     text_add(&given, "%sfit_band: [8 um, 1 mm]\n", scene);
     directory_write(place, "cut/scene.yaml", text_string(&given));
     assert_int_equal(pipeline_run(place, "cut", "cut-out", 1), 0);
     report = directory_read(place, "cut-out/report.md");
-    assert_non_null(strstr(report, "would take at most"));
+    assert_non_null(strstr(report, "would lower the area by at most"));
     assert_non_null(strstr(report, "γ is below 1: there the area depends"));
-    const char *found = strstr(report, "would take at most ");
+    const char *found = strstr(report, "would lower the area by at most ");
     assert_non_null(found);
-    assert_true(strtod(found + strlen("would take at most "), NULL) > 1);
+    assert_true(strtod(found + strlen("would lower the area by at most "), NULL) > 1);
     text_free(&given);
     text_free(&csv);
 }

@@ -128,8 +128,8 @@ PLACED(test_no_convergence_leaves_the_report)
                     "material: tin\neffects: [electrical]\nbaseline: b\ndirect: {grid: 64, seeds: 1, loads: 3}\n");
     expect_ok(pipeline_into, &outcome, *state, "in", "out", (struct run_options){0});
     run_outcome_free(&outcome);
-    expect_in_file(*state, "out/report.md", "## How true\n\nNo direct solution: ", "does not converge at p/E' = 0.01",
-                   "*b* at ");
+    expect_in_file(*state, "out/report.md", "## The models against the direct solution\n\nNo direct solution: ",
+                   "does not converge at p/E' = 0.01", "*b* at ");
     expect_not_in_file(*state, "out/report.md", "figures/direct");
     assert_false(directory_has(*state, "out/data/direct.csv"));
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Small samples for the readers: every one holds the heights below (NaN where the sample has a missing point), 0.5 um
- * apart, a profile of six points or a map of three columns and two rows, 2 um apart. */
+/* Small samples for the readers, all of the heights below (NaN where the sample has a missing point): a profile of six
+ * points 0.5 um apart, or a map of three columns and two rows 2 um apart. */
 #ifndef TEST_SAMPLE_SUPPORT_H
 #define TEST_SAMPLE_SUPPORT_H
 
@@ -19,6 +19,14 @@ static inline void put_bytes(struct text *text, uint64_t value, size_t count)
         text_add_bytes(text, &byte, 1);
     }
 }
+
+/* Values, each with its number of bytes: PUT(&text, {1, 2}, {7, 4}). */
+#define PUT(text, ...)                                                                                                 \
+    do {                                                                                                               \
+        const uint64_t fields[][2] = {__VA_ARGS__};                                                                    \
+        for (size_t field = 0; field < sizeof fields / sizeof *fields; field++)                                        \
+            put_bytes(text, fields[field][0], fields[field][1]);                                                       \
+    } while (0)
 
 static inline void put_f32(struct text *text, double value)
 {

@@ -30,35 +30,6 @@ static inline enum status_code read_bytes(struct scan *scan, const char *bytes, 
     return code;
 }
 
-/* Reads text that has to be a scan. */
-static inline struct scan read_good(const char *text, const char *x_unit, const char *z_unit)
-{
-    struct scan scan;
-    struct status status = {0};
-    struct scan_options options = {.x_unit = x_unit, .z_unit = z_unit};
-    if (read_bytes(&scan, text, strlen(text), &options, &status) != STATUS_OK)
-        fail_msg("refused: %s", status.message);
-    return scan;
-}
-
-/* Reads bytes that have to be refused as no scan with a message that holds `expected`. */
-static inline void assert_refused_bytes(const char *bytes, size_t length, const struct scan_options *options,
-                                        const char *expected)
-{
-    struct scan scan;
-    struct status status = {0};
-    assert_int_equal(read_bytes(&scan, bytes, length, options, &status), STATUS_SCAN);
-    if (!strstr(status.message, expected) || strchr(status.message, '\n'))
-        fail_msg("message '%s' should hold '%s' in one line", status.message, expected);
-    scan_free(&scan);
-}
-
-static inline void assert_refused(const char *text, const char *expected)
-{
-    struct scan_options options = {.x_unit = "mm", .z_unit = "um"};
-    assert_refused_bytes(text, strlen(text), &options, expected);
-}
-
 /* What scan.h promises about a scan that was read. */
 static inline void assert_sound(const struct scan *scan)
 {
@@ -74,6 +45,44 @@ static inline void assert_sound(const struct scan *scan)
     }
     assert_int_equal(missing, scan->missing);
     assert_true(scan->warning_count <= SCAN_WARNINGS);
+}
+
+/* Reads text that has to be a scan. */
+static inline struct scan read_with(const char *text, const struct scan_options *options)
+{
+    struct scan scan;
+    struct status status = {0};
+    if (read_bytes(&scan, text, strlen(text), options, &status) != STATUS_OK)
+        fail_msg("'%s' refused: %s", text, status.message);
+    assert_sound(&scan);
+    return scan;
+}
+
+static inline struct scan read_good(const char *text, const char *x_unit, const char *z_unit)
+{
+    return read_with(text, &(struct scan_options){.x_unit = x_unit, .z_unit = z_unit});
+}
+
+/* Reads bytes that have to be refused as no scan with a message that holds `expected`. */
+static inline void assert_refused_bytes(const char *bytes, size_t length, const struct scan_options *options,
+                                        const char *expected)
+{
+    struct scan scan;
+    struct status status = {0};
+    assert_int_equal(read_bytes(&scan, bytes, length, options, &status), STATUS_SCAN);
+    if (!strstr(status.message, expected) || strchr(status.message, '\n'))
+        fail_msg("message '%s' should hold '%s' in one line", status.message, expected);
+    scan_free(&scan);
+}
+
+static inline void refuse_with(const char *text, const struct scan_options *options, const char *expected)
+{
+    assert_refused_bytes(text, strlen(text), options, expected);
+}
+
+static inline void assert_refused(const char *text, const char *expected)
+{
+    refuse_with(text, &(struct scan_options){.x_unit = "mm", .z_unit = "um"}, expected);
 }
 
 static inline double scan_x(const struct scan *scan, size_t i)

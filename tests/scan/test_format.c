@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a file is: those that no reader reads are known by their bytes, else by their name and that they are binary. */
+/* Formats that are not read are known by their bytes, or by their name where the file is binary. */
 #include "scan/format.h"
 #include "zip_support.h"
 
@@ -70,8 +70,7 @@ TEST_CASE(test_archives)
     }
 }
 
-/* A row has a name, says what it is, and how a file of it is told; one that is not read by its bytes, an entry or both
- * its ending and that it is binary. */
+/* Every row has a name, a kind, and what tells a file of it: its bytes, an entry of an archive, or its ending. */
 TEST_CASE(test_rows)
 {
     for (size_t i = 0; i < format_count; i++) {
@@ -86,7 +85,7 @@ TEST_CASE(test_rows)
     }
 }
 
-/* What lies beside scans, and what may be one. */
+/* Files that are certainly no scans, and files that may be. */
 TEST_CASE(test_others)
 {
     static const struct {

@@ -74,11 +74,8 @@ static struct text x3p(size_t k, bool deflated)
 
 TEST_CASE(test_x3p)
 {
-    for (size_t k = 0; k < X3P_SAMPLES; k++) {
-        for (int deflated = 0; deflated < 2; deflated++) {
-            expect_sample(x3p(k, deflated), "x3p", samples[k].kind, samples[k].missing, &no_units);
-        }
-    }
+    for (size_t k = 0; k < 2 * X3P_SAMPLES; k++)
+        expect_sample(x3p(k / 2, k % 2), "x3p", samples[k / 2].kind, samples[k / 2].missing, &no_units);
 }
 
 TEST_CASE(test_x3p_list)
@@ -131,7 +128,7 @@ TEST_CASE(test_x3p_refusals)
     text_free(&data);
 }
 
-/* A member that claims far more than deflate can have made of its bytes. */
+/* An entry that claims more than deflate can unpack from its bytes. */
 TEST_CASE(test_bomb)
 {
     char *zeros = support_room(6000);
@@ -147,7 +144,7 @@ TEST_CASE(test_bomb)
 
 static const char table[] = "x [um],z [um]\n0,0.5\n0.5,-1.25\n1,2.75\n1.5,0.125\n2,8\n2.5,-3.5\n";
 
-/* What headers say of an entry against what it is. */
+/* Entries whose headers are right, or wrong in one thing. */
 TEST_CASE(test_entries)
 {
     static const char damaged[] = "'a.csv' in the archive is damaged; copy the file again";
@@ -197,7 +194,7 @@ TEST_CASE(test_entries)
     text_free(&member.bytes);
 }
 
-/* Writes a directory's end of ZIP64 before its end, which then says nothing of its own. */
+/* An archive with a ZIP64 end record; the usual one refers to it. */
 static struct text zip64_of(const struct packed *member)
 {
     enum { END = 22, START = 16 };
@@ -205,22 +202,8 @@ static struct text zip64_of(const struct packed *member)
     const unsigned char *end = (const unsigned char *)text.data + text.length - END;
     size_t start = end[START] + 256u * end[START + 1], at = text.length - END;
     text.length = at;
-    put_bytes(&text, 0x06064b50, 4);
-    put_bytes(&text, 44, 8);
-    put_bytes(&text, 0, 12);
-    put_bytes(&text, 1, 8);
-    put_bytes(&text, 1, 8);
-    put_bytes(&text, at - start, 8);
-    put_bytes(&text, start, 8);
-    put_bytes(&text, 0x07064b50, 4);
-    put_bytes(&text, 0, 4);
-    put_bytes(&text, at, 8);
-    put_bytes(&text, 1, 4);
-    put_bytes(&text, 0x06054b50, 4);
-    put_bytes(&text, 0, 4);
-    put_bytes(&text, UINT32_MAX, 4);
-    put_bytes(&text, UINT64_MAX, 8);
-    put_bytes(&text, 0, 2);
+    PUT(&text, {0x06064b50, 4}, {44, 8}, {0, 12}, {1, 8}, {1, 8}, {at - start, 8}, {start, 8}, {0x07064b50, 4}, {0, 4},
+        {at, 8}, {1, 4}, {0x06054b50, 4}, {0, 4}, {UINT32_MAX, 4}, {UINT64_MAX, 8}, {0, 2});
     return text;
 }
 

@@ -33,16 +33,12 @@ static struct text sdf(unsigned type, size_t nx, size_t ny, size_t extra)
 {
     struct text text = {0};
     put_field(&text, "bISO-1.0", 8 + 10 + 12 + 12);
-    put_bytes(&text, nx, 2);
-    put_bytes(&text, ny, 2);
+    PUT(&text, {nx, 2}, {ny, 2});
     put_f64(&text, 0.5e-6);
     put_f64(&text, 2e-6);
     put_f64(&text, type == 3 || type == 7 ? 1e-6 : 0.125e-6);
     put_f64(&text, -1);
-    put_bytes(&text, 0, 1);
-    put_bytes(&text, type, 1);
-    put_bytes(&text, 0, 1);
-    put_bytes(&text, 0x0000000100000005, extra);
+    PUT(&text, {0, 1}, {type, 1}, {0, 1}, {0x0000000100000005, extra});
     for (size_t i = 0; i < SAMPLE_POINTS; i++) {
         int64_t whole = (int64_t)(sample_um[i] * 8);
         if (type == 3)
@@ -92,19 +88,12 @@ static struct text sur(const struct sur_sample *sample)
 {
     struct text text = {0};
     put_field(&text, sample->magic, 12);
-    put_bytes(&text, sample->format, 2);
-    put_bytes(&text, sample->objects, 2);
-    put_bytes(&text, 1, 2);
-    put_bytes(&text, sample->kind, 2);
+    PUT(&text, {sample->format, 2}, {sample->objects, 2}, {1, 2}, {sample->kind, 2});
     put_field(&text, "name", 30 + 30 + 6);
     put_bytes(&text, 1, 2);
     put_field(&text, "", 10);
-    put_bytes(&text, sample->bits, 2);
-    put_bytes(&text, (uint64_t)-28, 4);
-    put_bytes(&text, 100, 4);
-    put_bytes(&text, sample->map ? SAMPLE_COLUMNS : SAMPLE_POINTS, 4);
-    put_bytes(&text, sample->map ? SAMPLE_ROWS : 1, 4);
-    put_bytes(&text, SAMPLE_POINTS, 4);
+    PUT(&text, {sample->bits, 2}, {(uint64_t)-28, 4}, {100, 4}, {sample->map ? SAMPLE_COLUMNS : SAMPLE_POINTS, 4},
+        {sample->map ? SAMPLE_ROWS : 1, 4}, {SAMPLE_POINTS, 4});
     put_f32(&text, 0.0005);
     put_f32(&text, 0.002);
     put_f32(&text, 0.125);
@@ -114,8 +103,7 @@ static struct text sur(const struct sur_sample *sample)
     put_field(&text, "mm", 16);
     put_field(&text, "\xB5m", 16);
     put_field(&text, "", 3 * 16 + 3 * 4 + 3 * 2 + 12 + 14 + 4 + 10);
-    put_bytes(&text, 7, 2);
-    put_bytes(&text, 2, 2);
+    PUT(&text, {7, 2}, {2, 2});
     put_field(&text, "", 128 + 8);
     put_f32(&text, 1);
     put_field(&text, "", 34);
@@ -158,8 +146,7 @@ TEST_CASE(test_sur_compressed)
         assert_int_equal(compress(packed[i], &size[i], (const Bytef *)heights.data + i * 6, 6), Z_OK);
     put_bytes(&text, 2, 4);
     for (size_t i = 0; i < 2; i++) {
-        put_bytes(&text, 6, 4);
-        put_bytes(&text, size[i], 4);
+        PUT(&text, {6, 4}, {size[i], 4});
     }
     size_t streams = text.length;
     for (size_t i = 0; i < 2; i++)

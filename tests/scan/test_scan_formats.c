@@ -11,13 +11,16 @@
 #define MAHR_LAST "5=0.0025 0 -0.0035 0 0\r\n"
 
 /* of a MarSurf PS 10: some points are locked, which is no height */
-#define MAHR_HEAD_BARE "[PROFILE_HEADER]\nNO_POINTS=6\n[PROFILE_VALUES]\n"
+#define MAHR_HEAD_BARE(keys) "[PROFILE_HEADER]\n" keys "NO_POINTS=6\n[PROFILE_VALUES]\n"
 #define MAHR_BARE                                                                                                      \
     "0=0.0000 0.0005 0\n1=0.0005 -0.00125 1\n2=0.0010 0.00275 1\n3=0.0015 0.000125 0\n4=0.0020 0.008 0\n"              \
     "5=0.0025 -0.0035 0\n"
 #define MAHR_TURNED                                                                                                    \
     "0=0.0005 0 0.0000\n1=-0.00125 1 0.0005\n2=0.00275 1 0.0010\n3=0.000125 0 0.0015\n4=0.008 0 0.0020\n"              \
     "5=-0.0035 0 0.0025\n"
+#define MAHR_COMMAS                                                                                                    \
+    "0=0,0000 0,0005 0\n1=0,0005 -0,00125 1\n2=0,0010 0,00275 0\n3=0,0015 0,000125 1\n4=0,0020 0,008 0\n"              \
+    "5=0,0025 -0,0035 0\n"
 
 #define NPL_HEAD                                                                                                       \
     "1 2\r\nSAMPLE 0 PRF\r\nCX M 6.0e+000 MM 1.0e+000 D\r\nCZ M 6.0e+000 UM 1.0e-003 L\r\nEOR\r\n"                     \
@@ -56,8 +59,9 @@ TEST_CASE(test_profiles)
     } samples[] = {
         {"mahr-text", MAHR_HEAD MAHR_POINTS MAHR_LAST, SAMPLE_POINTS},
         {"mahr-text", MAHR_HEAD MAHR_POINTS MAHR_LAST "[END]\r\nx\r\n", SAMPLE_POINTS},
-        {"mahr-text", MAHR_HEAD_BARE MAHR_BARE, SAMPLE_POINTS}, /* x z lock, as no line says else */
-        {"mahr-text", MAHR_HEAD_BARE "// Z, Lock, X\n" MAHR_TURNED, SAMPLE_POINTS},
+        {"mahr-text", MAHR_HEAD_BARE("") MAHR_BARE, SAMPLE_POINTS}, /* x z lock, as no comment names them */
+        {"mahr-text", MAHR_HEAD_BARE("PRETRAV_LIN=0.0\nPOSTTRAV_LIN=0,0\n") MAHR_COMMAS, SAMPLE_POINTS},
+        {"mahr-text", MAHR_HEAD_BARE("") "// Z, Lock, X\n" MAHR_TURNED, SAMPLE_POINTS},
         {"npl-prf", NPL_HEAD NPL_POINTS "EOR\r\nEOF\r\n", SAMPLE_POINTS},
         {"sdf", SDF_HEAD("6", "1") "0.5 -1.25\n2.75 0.125 8.0 -3.5\n*\n< a > b\n*\n", SAMPLE_POINTS},
         {"sdf", SDF_HEAD("6", "1") POINTS, SAMPLE_POINTS},
@@ -99,28 +103,30 @@ TEST_CASE(test_maps)
     /* one run of such points is a profile */
     assert_text_sample("0 7 0.5\n0.5 7 -1.25\n1 7 2.75\n1.5 7 0.125\n2 7 8\n2.5 7 -3.5\n", "text", SCAN_PROFILE,
                        SAMPLE_POINTS, &um);
-    struct scan scan = read_good("# pixel size = 0.5 um\n# value units: um\n1 2 3 4\n5 BAD 7 -9999\n9 8 7 6\n", "", "");
-    assert_int_equal(scan.kind, SCAN_AREAL);
-    assert_int_equal(scan.nx * 10 + scan.ny, 43);
-    assert_near(scan.dx_m, 0.5e-6, 1e-12);
-    assert_near(scan.dy_m, 0.5e-6, 1e-12);
-    assert_int_equal(scan.missing, 2);
-    assert_int_equal(scan.warning_count, 1);
-    assert_near(scan.z_m[4], 5e-6, 1e-12);
-    scan_free(&scan);
-    scan = read_good("# Channel: Main\n# Width: 10 \xC2\xB5m\n# Height: 6 \xC2\xB5m\n# Value units: m\n"
-                     "1e-6\t3e-6\t2e-6\t4e-6\n5e-6\t6e-6\t7e-6\t8e-6\n",
-                     "", "");
-    assert_near(scan.dx_m, 2.5e-6, 1e-12);
-    assert_near(scan.dy_m, 3e-6, 1e-12);
-    assert_near(scan.z_m[7], 8e-6, 1e-12);
-    scan_free(&scan);
-    struct text *text = support_text();
-    text_add(text, "w=4 h=3\npixel size = 2 um\nheight conversion factor (-> m) = 1e-9\n1 3 2 4\n5 5 5 5\n1 1 1 1\n");
-    scan = read_good(text_string(text), "", "");
-    assert_near(scan.dy_m, 2e-6, 1e-12);
-    assert_near(scan.z_m[1], 3e-9, 1e-12);
-    scan_free(&scan);
+    static const struct {
+        const char *text;
+        size_t nx, ny, missing, point; /* a point, and: */
+        double dx_m, dy_m, z_m;
+    } matrices[] = {
+        {"# pixel size = 0.5 um\n# value units: um\n1 2 3 4\n5 BAD 7 -9999\n9 8 7 6\n", 4, 3, 2, 4, 0.5e-6, 0.5e-6,
+         5e-6},
+        {"# Channel: Main\n# Width: 10 \xC2\xB5m\n# Height: 6 \xC2\xB5m\n# Value units: m\n"
+         "1e-6\t3e-6\t2e-6\t4e-6\n5e-6\t6e-6\t7e-6\t8e-6\n",
+         4, 2, 0, 7, 2.5e-6, 3e-6, 8e-6},
+        {"w=4 h=3\npixel size = 2 um\nheight conversion factor (-> m) = 1e-9\n1 3 2 4\n5 5 5 5\n1 1 1 1\n", 4, 3, 0, 1,
+         2e-6, 2e-6, 3e-9},
+    };
+    for (size_t i = 0; i < sizeof matrices / sizeof *matrices; i++) {
+        struct scan scan = read_good(matrices[i].text, "", "");
+        assert_int_equal(scan.kind, SCAN_AREAL);
+        assert_int_equal(scan.nx, matrices[i].nx);
+        assert_int_equal(scan.ny, matrices[i].ny);
+        assert_int_equal(scan.missing, matrices[i].missing);
+        assert_near(scan.dx_m, matrices[i].dx_m, 1e-12);
+        assert_near(scan.dy_m, matrices[i].dy_m, 1e-12);
+        assert_near(scan.z_m[matrices[i].point], matrices[i].z_m, 1e-12);
+        scan_free(&scan);
+    }
     assert_refused_bytes("1 3 2 4\n5 1 3 1\n1 1 1 1\n", 24, &z_um, "without its pixel size; add a line `pixel size");
     assert_refused("0 0 1\n1 0 2\n2 0 3\n0 1 4\n1 1 5\n2.5 1 6\n", "file:6: this point is not on the grid");
     assert_refused("0 0 1\n1 0 2\n2 0 3\n0 1 4\n1 1 5\n", "file:5: the last row of points is not complete");
@@ -164,14 +170,6 @@ TEST_CASE(test_columns)
     assert_near(scan.z_m[2], 6e-6, 1e-12);
     assert_non_null(strstr(scan.warnings[0], "3 columns: column 1 read as x, column 2 as z"));
     scan_free(&scan);
-    scan = read_good("x_unit: mm\nz_unit: um\n0 5\n1 -25400\n2 6\n3 5\n", "", "");
-    assert_int_equal(scan.missing, 1);
-    assert_non_null(strstr(scan.warnings[0], "a height of -25400 um stands for a missing point, 1 times"));
-    scan_free(&scan);
-    /* but where heights of that size are usual, it is one */
-    scan = read_good("x_unit: mm\nz_unit: nm\n0 5\n1 -25400\n2 -20000\n3 5\n", "", "");
-    assert_int_equal(scan.missing, 0);
-    scan_free(&scan);
 }
 
 /* The sample text in UTF-16, the lower byte first or last. */
@@ -189,9 +187,8 @@ static struct text utf16(const char *string, bool big)
 TEST_CASE(test_utf16)
 {
     const char *string = "x (um);z (\xB5m)\r\n0;0,5\r\n0,5;-1,25\r\n1;2,75\r\n1,5;0,125\r\n2;8\r\n2,5;-3,5\r\n";
-    for (int big = 0; big < 2; big++) {
+    for (int big = 0; big < 2; big++)
         expect_sample(utf16(string, big), "text", SCAN_PROFILE, SAMPLE_POINTS, &no_units);
-    }
     struct text half = utf16("0;1\n1;1", false);
     text_add_bytes(&half, "\x3D\xD8", 2);
     refuse_text(half, &no_units, "damaged UTF-16; save it as UTF-8");
@@ -248,50 +245,21 @@ TEST_CASE(test_interferometers)
     assert_refused("Zygo XYZ Data File - Format 1\n1\n2\n0 0 x 2\n", "file:4: no numbers of columns and rows");
 }
 
-#define PS10(travel) "[PROFILE_HEADER]\r\nINTERVAL_LIN=0.000500\r\n" travel "NO_POINTS=6\r\n[PROFILE_VALUES]\r\n"
-#define PS10_POINTS                                                                                                    \
-    "0=0.0000 0.0005 0\r\n1=0.0005 -0.00125 1\r\n2=0.0010 0.00275 0\r\n3=0.0015 0.000125 1\r\n4=0.0020 0.008 0\r\n"    \
-    "5=0.0025 -0.0035 0\r\n"
-#define COMMAS                                                                                                         \
-    "0=0,0000 0,0005 0\n1=0,0005 -0,00125 1\n2=0,0010 0,00275 0\n3=0,0015 0,000125 1\n4=0,0020 0,008 0\n"              \
-    "5=0,0025 -0,0035 0\n"
-#define ZXL                                                                                                            \
-    "// Z, X, Lock, C\n0=0.0005 0.0000 0 9\n1=-0.00125 0.0005 0 9\n2=0.00275 0.0010 0 9\n3=0.000125 0.0015 0 9\n"      \
-    "4=0.008 0.0020 0 9\n5=-0.0035 0.0025 0 9\n"
-
-/* A MarSurf PS 10 writes x, z and a flag, and no line that names them; a file's own line goes before that. */
-TEST_CASE(test_fields_of_mahr_text)
+/* Run-up and overtravel that the header names; where x descends they are exchanged with the ends. */
+TEST_CASE(test_margins_of_mahr_text)
 {
-    static const char *const texts[] = {PS10("") PS10_POINTS, PS10("PRETRAV_LIN=0.0\nPOSTTRAV_LIN=0,0\n") COMMAS,
-                                        PS10("") ZXL};
-    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
-        print_message("%s\n", texts[i]);
-        struct scan scan = read_good(texts[i], "", "");
-        static const double z_um[] = {0.5, -1.25, 2.75, 0.125, 8, -3.5};
-        assert_int_equal(scan.nx, 6);
-        for (size_t k = 0; k < 6; k++) {
-            assert_within(scan.z_m[k], z_um[k] * 1e-6, 1e-18);
-            assert_within(scan.x_m[k], (double)k * 0.5e-6, 1e-18);
-        }
-        assert_int_equal(scan.warning_count, 0);
-        scan_free(&scan);
-    }
-    struct scan scan = read_good(PS10("PRETRAV_LIN=0.0005\r\nPOSTTRAV_LIN=0,001\r\n") PS10_POINTS, "", "");
+    struct scan scan = read_good(MAHR_HEAD_BARE("PRETRAV_LIN=0.0005\r\nPOSTTRAV_LIN=0,001\r\n") MAHR_BARE, "", "");
     assert_int_equal(scan.nx, 6);
     assert_within(scan.margin_m[0], 0.5e-6, 1e-18);
     assert_within(scan.margin_m[1], 1e-6, 1e-18);
+    assert_int_equal(scan.warning_count, 0);
     scan_free(&scan);
     scan = read_good("[PROFILE_HEADER]\nPRETRAV_LIN=1\nPOSTTRAV_LIN=2\nNO_POINTS=3\n[PROFILE_VALUES]\n"
                      "0=3 0 0\n1=2 1 0\n2=0 0 0\n",
                      "", "");
-    assert_near(scan.margin_m[0], 2e-3, 1e-12); /* x descends, and with it the ends are exchanged */
+    assert_near(scan.margin_m[0], 2e-3, 1e-12);
     assert_near(scan.margin_m[1], 1e-3, 1e-12);
     scan_free(&scan);
-    assert_refused(PS10("") "0=0 1 0\n1=1 2\n" PS10_POINTS,
-                   "file:6: '1=1 2' is no line `index=x z ...` with as many fields");
-    assert_refused(MAHR_HEAD "0=0 1 0\n" MAHR_POINTS,
-                   "file:7: '0=0 1 0' is no line `index=x y z ...` with as many fields");
-    assert_refused(PS10("PRETRAV_LIN=-1\n") PS10_POINTS, "file:3: PRETRAV_LIN is no length");
 }
 
 TEST_CASE(test_refusals)
@@ -299,6 +267,11 @@ TEST_CASE(test_refusals)
     assert_refused(MAHR_HEAD MAHR_POINTS, "file:11: the points end after 5 of 6");
     assert_refused(MAHR_HEAD MAHR_POINTS MAHR_LAST MAHR_LAST, "file:13: more points than NO_POINTS says, 6");
     assert_refused(MAHR_HEAD "0=0.0000 0 nan 0 0\r\n" MAHR_POINTS, "file:7: '0=0.0000 0 nan 0 0' is no line");
+    assert_refused(MAHR_HEAD_BARE("") "0=0 1 0\n1=1 2\n" MAHR_BARE,
+                   "file:5: '1=1 2' is no line `index=x z ...` with as many fields");
+    assert_refused(MAHR_HEAD "0=0 1 0\n" MAHR_POINTS,
+                   "file:7: '0=0 1 0' is no line `index=x y z ...` with as many fields");
+    assert_refused(MAHR_HEAD_BARE("PRETRAV_LIN=-1\n") MAHR_BARE, "file:2: PRETRAV_LIN is no length");
     assert_refused("[PROFILE_HEADER]\nNO_POINTS=1000000000000\n[PROFILE_VALUES]\n0=0 0 0 0 0\n",
                    "the file ends after 2;");
     assert_refused("[PROFILE_HEADER]\nNO_POINTS=x\n", "file:2: NO_POINTS is no number");
@@ -319,9 +292,7 @@ TEST_CASE(test_refusals)
     assert_refused(NIST(" \n "), "no heights in <DATA_POINT_VALUES>");
     assert_refused("DSAA\n3 2\n10 11\n5 x\n", "file:4: 'x' in the header of the grid");
     assert_refused("DSAA\n3 2\n10 11\n5 7\n0 1\n1 2 3 4 5 6 7\n", "more heights than the header says");
-    struct text text =
-        smd("ISO 5436-2:2012@x@\r\nPRF@ 1 ISO5436@\r\nCX@ A@ 6 mm@ 1.0e0 D@\r\nCZ@ A@ 6 um@ 1.0e0 D@\r\n$\r\n"
-            "$\r\n1 2 3 4 5 6$\r\n");
-    assert_refused_bytes(text_string(&text), text.length, &no_units, "positions stored point by point");
-    text_free(&text);
+    refuse_text(smd("ISO 5436-2:2012@x@\r\nPRF@ 1 ISO5436@\r\nCX@ A@ 6 mm@ 1.0e0 D@\r\nCZ@ A@ 6 um@ 1.0e0 D@\r\n$\r\n"
+                    "$\r\n1 2 3 4 5 6$\r\n"),
+                &no_units, "positions stored point by point");
 }

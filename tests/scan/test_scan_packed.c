@@ -14,8 +14,8 @@ static bool has_warning(const struct scan *scan, const char *words)
     return false;
 }
 
-/* Reads the scans of an archive one after another; their names have to be `parts`, which NULL ends. Returns the
- * warnings of the first in `first`. */
+/* Reads the scans of an archive one after another. Their names are `parts`, which NULL ends; only the first has
+ * `warning` (NULL: not asked). */
 static void assert_parts(const struct text *text, const char *const *parts, const char *warning)
 {
     struct scan_options options = {.x_unit = "um", .z_unit = "um"};
@@ -83,18 +83,14 @@ TEST_CASE(test_several)
     }
     const struct member mixed[] = {{"a.txt", csv, sizeof csv - 1}, {"b.sdf", sdf, sizeof sdf - 1}, {NULL, NULL, 0}};
     static const char *const mixed_parts[] = {"a.txt", "b.sdf", NULL};
-    struct text text = zip(mixed, false);
-    assert_parts(&text, mixed_parts, NULL);
-    const struct member one[] = {{"b.sdf", sdf, sizeof sdf - 1}, {NULL, NULL, 0}};
-    static const char *const one_part[] = {"b.sdf", NULL};
-    text_free(&text);
-    text = zip(one, true);
-    assert_parts(&text, one_part, NULL);
-    text_free(&text);
+    for (size_t first = 0; first < 2; first++) { /* both, and the last alone */
+        struct text text = zip(mixed + first, first > 0);
+        assert_parts(&text, mixed_parts + first, NULL);
+        text_free(&text);
+    }
 }
 
-/* A file that is damaged, encrypted or of a format that is not read is refused by its name, and the others are read,
- * whether those are texts or not. */
+/* A file that is damaged, encrypted or of a format that is not read is refused by its name, and the others are read. */
 TEST_CASE(test_the_others_are_read)
 {
     enum { FILES = 7 };
@@ -136,7 +132,7 @@ TEST_CASE(test_the_others_are_read)
     }
 }
 
-/* A text that may be a scan and has no numbers is not passed over, nor is what may be one and is the only one. */
+/* A file that may be a scan is refused, not passed over. */
 TEST_CASE(test_refusals)
 {
     const struct member damaged[] = {{"a.csv", csv, sizeof csv - 1}, {"b.csv", "no numbers\n", 11}, {NULL, NULL, 0}};
@@ -248,6 +244,8 @@ TEST_CASE(test_gwy)
     text_add_bytes(&inner, "Height", 7);
     put_name(&inner, "/0/data/visible", 'b');
     put_bytes(&inner, 1, 1);
+    put_name(&inner, "/0/data/icon", 'C');
+    PUT(&inner, {3, 4}, {7, 3});
     put_field_object(&inner, "/0/data", 1e-6, "m", SAMPLE_POINTS);
     put_name(&inner, "/names", 'S');
     put_bytes(&inner, 2, 4);

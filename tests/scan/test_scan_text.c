@@ -22,10 +22,27 @@ static void assert_four_points(const char *text, const char *x_unit, const char 
     scan_free(&scan);
 }
 
+/* Reads `text`, and expects so many points a row, missing ones, and a warning with these words (NULL: none at all). */
+static void expect_scan(const char *text, size_t nx, size_t missing, const char *warning)
+{
+    struct scan scan = read_good(text, "", "");
+    assert_int_equal(scan.nx, nx);
+    assert_int_equal(scan.missing, missing);
+    if (warning && !(scan.warning_count > 0 && strstr(scan.warnings[scan.warning_count - 1], warning)))
+        fail_msg("no warning of '%s' says '%s'", text, warning);
+    if (!warning)
+        assert_int_equal(scan.warning_count, 0);
+    scan_free(&scan);
+}
+
+#define HEIGHTS "0.5\n-1.25\n2.75\n0.125\n"
+#define POINTS  "0,0.5\n1,-1.25\n2,2.75\n3,0.125\n"
+#define BLANKS  "0 0.5\n1 -1.25\n2 2.75\n3 0.125\n"
+
 TEST_CASE(test_delimiters)
 {
     static const char *const texts[] = {
-        "x [mm],z [um]\n0,0.5\n1,-1.25\n2,2.75\n3,0.125\n",
+        "x [mm],z [um]\n" POINTS,
         "x [mm];z [um]\r\n0;0.5\r\n1;-1.25\r\n2;2.75\r\n3;0.125\r\n",
         "x [mm]\tz [um]\r0\t0.5\r1\t-1.25\r2\t2.75\r3\t0.125\r",
         "x [mm] z [um]\n0 0.5\n1 -1.25\n2   2.75\n 3 0.125   ",
@@ -34,12 +51,13 @@ TEST_CASE(test_delimiters)
         "x [mm],z [um]\n0, 0.5\n1, -1.25\n2, 2.75\n3, 0.125\n",
         "x [mm],z [um],\n0,0.5,,\n1,-1.25,,\n2,2.75,,\n3,0.125,,\n\r\r\n",
         "x [mm]\tz [um]\t\n0\t0,5\t\n1\t-1,25\t\n2\t2,75\t\n3\t1,25e-1\t\n\n\n",
+        /* in quotes, where commas are decimal signs and separate columns too */
+        "\"x [mm]\",\"z [um]\"\n\"0,0\",\"0,5\"\n\"1,0\",\"-1,25\"\n\"2,0\",\"2,75\"\n\"3,0\",\"0,125\"\n",
+        "\"x [mm]\";\"z [um]\"\n\"0,0\";\"0,5\"\n\"1,0\";\"-1,25\"\n\"2,0\";\"2,75\"\n\"3,0\";\"0,125\"\n",
     };
     for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
         assert_four_points(texts[i], "", "");
 }
-
-#define POINTS "0,0.5\n1,-1.25\n2,2.75\n3,0.125\n"
 
 TEST_CASE(test_units_in_header)
 {
@@ -77,7 +95,7 @@ TEST_CASE(test_units_of_scene)
     assert_four_points("channel in,channel A\n" POINTS, "mm", "um");
     assert_four_points("Length,1500.0 nm\n" POINTS, "mm", "um");
     assert_four_points("# a\n% b\n; c\n// d\n0 0.5\n# between\n1 -1.25\n2 2.75\n3 0.125\n# end\n", "mm", "um");
-    /* the file's unit wins, and the scan says so */
+    /* the file's unit is used, with a warning */
     struct scan scan = read_good("x [mm],z [um]\n" POINTS, "nm", "um");
     assert_int_equal(scan.warning_count, 1);
     assert_non_null(strstr(scan.warnings[0], "x_unit"));
@@ -90,101 +108,101 @@ TEST_CASE(test_units_of_scene)
 TEST_CASE(test_one_column)
 {
     static const char *const texts[] = {
-        "# spacing 1 mm\n# z [um]\n0.5\n-1.25\n2.75\n0.125\n",
-        "dx=1mm\nz (um)\n0.5\n-1.25\n2.75\n0.125\n",
-        "dx = 1000 um\nz (um)\n0.5\n-1.25\n2.75\n0.125\n",
-        "Resolution,1000 um/sample\nz_um\n0.5\n-1.25\n2.75\n0.125\n",
-        "Step (mm): 1\nz_um\n0.5\n-1.25\n2.75\n0.125\n",
-        "sampling interval\t1 mm\nY step\t3 um\nz_um\n0.5\n-1.25\n2.75\n0.125\n",
+        "# spacing 1 mm\n# z [um]\n" HEIGHTS,    "dx=1mm\nz (um)\n" HEIGHTS,
+        "dx = 1000 um\nz (um)\n" HEIGHTS,        "Resolution,1000 um/sample\nz_um\n" HEIGHTS,
+        "Step (mm): 1\nz_um\n" HEIGHTS,          "sampling interval\t1 mm\nY step\t3 um\nz_um\n" HEIGHTS,
+        "step 1 mm/pixel\nz unit: um\n" HEIGHTS,
     };
     for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
         assert_four_points(texts[i], "", "");
-    assert_four_points("spacing: 1\nz_um\n0.5\n-1.25\n2.75\n0.125\n", "mm", "");
+    assert_four_points("spacing: 1\nz_um\n" HEIGHTS, "mm", "");
 }
 
-/* Every word that names a spacing, and none that an other axis stands beside. */
 TEST_CASE(test_words_of_spacing)
 {
     static const char *const words[] = {"spacing",  "dx",          "deltax", "step",    "X resolution",
                                         "Interval", "x increment", "pitch",  "sampling"};
     static const char *const others[] = {"y", "z", "dy", "dz", "height", "vertical", "row", "line", "time", "mean"};
-    for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
-        assert_four_points(filled("# %s = 1 mm\n# z [um]\n0.5\n-1.25\n2.75\n0.125\n", words[i]), "", "");
-    }
-    for (size_t i = 0; i < sizeof others / sizeof *others; i++) {
-        assert_refused(filled("# %s step = 1 mm\n# z [um]\n0.5\n-1.25\n2.75\n0.125\n", others[i]),
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+        assert_four_points(filled("# %s = 1 mm\n# z [um]\n" HEIGHTS, words[i]), "", "");
+    for (size_t i = 0; i < sizeof others / sizeof *others; i++)
+        assert_refused(filled("# %s step = 1 mm\n# z [um]\n" HEIGHTS, others[i]),
                        "one column is heights only: no spacing");
-    }
-    /* a length, a count or a rate of sampling is no step, whatever follows it, nor is a step of another kind */
-    static const char *const none[] = {
-        "Sampling length: 0.8 mm", "Sampling frequency = 400 Hz", "Sampling = 400 Hz",
-        "X distance = 1 mm",       "X step velocity = 2 mm/s",    "step = 2 mm/s",
-        "Sampling: 6400 points",   "Number of step points: 400",  "Mean spacing RSm = 0.1 mm",
-        "Groove spacing = 0.1 mm", "profile distance = 1 mm",     "pitch = 100 lines/mm"};
-    for (size_t i = 0; i < sizeof none / sizeof *none; i++) {
-        assert_refused(filled("# %s\n# z [um]\n0.5\n-1.25\n2.75\n0.125\n", none[i]), "no spacing");
-        assert_four_points(filled("# step = 1 mm\n# %s\n# z [um]\n0.5\n-1.25\n2.75\n0.125\n", none[i]), "", "");
-    }
-    assert_four_points("X step distance = 1000 um\nstep = 1 mm\nz unit: um\n0.5\n-1.25\n2.75\n0.125\n", "", "");
-    assert_refused("spacing = 1 mm\ntitle\nstep = 2 mm\nz unit: um\n0.5\n-1.25\n2.75\n0.125\n",
-                   "file:1: lines 1 and 3 name two spacings; remove the one that is not meant");
     /* a pixel's size, but nothing else of it, makes a matrix */
     assert_refused("pixel depth = 2 um\n1 3 2 4\n5 1 3 1\n1 1 1 1\n", "without its pixel size");
 }
 
-/* What else a header says in steps, lengths and samplings sets no spacing, and spoils none. */
+/* Other steps, lengths, counts and samplings in a header are no spacing, and do not disturb one. */
 TEST_CASE(test_words_of_no_spacing)
 {
     static const char *const lines[] = {
         "Sampling length: 0.8 mm",
         "Row step = 0.002 mm",
         "Sampling rate: 100 Hz",
+        "Sampling = 400 Hz",
         "Sampling speed 2 mm/s",
+        "X step velocity = 2 mm/s",
         "Step [mm/s]: 2",
+        "step = 2 mm/s",
+        "step 2 um per second",
+        "Step, 7, Hz",
+        "Step [rpm]: 20",
+        "Sampling frequency = 2000",
         "Resolution = 1024 points",
         "Resolution [dpi]: 600",
-        "Profile spacing: 3 mm",
-        "Mean spacing RSm = 0.12 mm",
-        "Groove pitch: 0.1 mm",
-        "Thread pitch: 1.5 mm",
-        "Time interval: 0.5 ms",
-        "Sampling frequency = 2000",
         "Number of sampling points: 8000",
-        "Sampling interval: 5 ms",
-        "Line pitch: 5 um",
-        "Step, 7, Hz",
-        "step 2 um per second",
-        "Sampling: 5 seconds",
-        "Step [rpm]: 20",
+        "Sampling: 6400 points",
+        "Number of step points: 400",
+        "Profile spacing: 3 mm",
+        "profile distance = 1 mm",
+        "X distance = 1 mm",
+        "Mean spacing RSm = 0.12 mm",
         "Spacing Sm: 0.2 mm",
+        "Groove pitch: 0.1 mm",
+        "Groove spacing = 0.1 mm",
+        "Thread pitch: 1.5 mm",
+        "Line pitch: 5 um",
+        "pitch = 100 lines/mm",
+        "Time interval: 0.5 ms",
+        "Sampling interval: 5 ms",
+        "Sampling: 5 seconds",
     };
     for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
         print_message("%s\n", lines[i]);
-        assert_four_points(filled("%s\nx step = 1 mm\nz unit: um\n0.5\n-1.25\n2.75\n0.125\n", lines[i]), "", "");
-        assert_four_points(filled("x step = 1 mm\n%s\nz unit: um\n0.5\n-1.25\n2.75\n0.125\n", lines[i]), "", "");
-        assert_refused(filled("%s\nz unit: um\n0.5\n-1.25\n2.75\n0.125\n", lines[i]),
-                       "one column is heights only: no spacing");
+        assert_four_points(filled("%s\nx step = 1 mm\nz unit: um\n" HEIGHTS, lines[i]), "", "");
+        assert_four_points(filled("# step = 1 mm\n# %s\n# z [um]\n" HEIGHTS, lines[i]), "", "");
+        assert_refused(filled("%s\nz unit: um\n" HEIGHTS, lines[i]), "one column is heights only: no spacing");
     }
-    static const char *const same[] = {
-        "dx = 1000 um\nspacing 1 mm",       "X-step: 1 mm", "step 1 mm per sample",  "dx = 1 mm, T = 300",
-        "X step 1.004 mm\ndx [mm] = 1.000", "dx = 1,0 mm",  "pitch of x: 1000,0 um", "dx=1mm\ndx = 1",
-    };
-    for (size_t i = 0; i < sizeof same / sizeof *same; i++)
-        assert_four_points(filled("%s\nz unit: um\n0.5\n-1.25\n2.75\n0.125\n", same[i]), "", "");
 }
 
 TEST_CASE(test_two_spacings)
 {
-#define HEIGHTS "z unit: um\n0.5\n-1.25\n2.75\n0.125\n"
-    assert_refused("x step 1 mm\n\nspacing 2 mm\n" HEIGHTS, "file:1: lines 1 and 3 name two spacings");
-    assert_refused("dx = 1 mm\nspacing = 2\n" HEIGHTS, "file:1: lines 1 and 2 name two spacings");
-    assert_refused("dx = 1\nspacing 2 mm\n" HEIGHTS, "file:1: lines 1 and 2 name two spacings");
+    static const char *const same[] = {"dx = 1000 um\nspacing 1 mm",
+                                       "X-step: 1 mm",
+                                       "step 1 mm per sample",
+                                       "dx = 1 mm, T = 300",
+                                       "X step 1.004 mm\ndx [mm] = 1.000",
+                                       "dx = 1,0 mm",
+                                       "pitch of x: 1000,0 um",
+                                       "dx=1mm\ndx = 1",
+                                       "X step distance = 1000 um\nstep = 1 mm"};
+    for (size_t i = 0; i < sizeof same / sizeof *same; i++)
+        assert_four_points(filled("%s\nz unit: um\n" HEIGHTS, same[i]), "", "");
+    assert_refused("x step 1 mm\n\nspacing 2 mm\nz unit: um\n" HEIGHTS,
+                   "file:1: lines 1 and 3 name two spacings; remove the one that is not meant");
+    assert_refused("dx = 1 mm\nspacing = 2\nz unit: um\n" HEIGHTS, "file:1: lines 1 and 2 name two spacings");
+    assert_refused("dx = 1\nspacing 2 mm\nz unit: um\n" HEIGHTS, "file:1: lines 1 and 2 name two spacings");
     assert_refused("pixel size = 1 um\npixel size = 2 um\nz unit: um\n1 3 2 4\n5 1 3 1\n1 1 1 1\n",
                    "file:1: lines 1 and 2 name two pixel sizes");
-    /* beside x neither is needed */
+    /* beside x two different ones are no error and not used; a single one is kept */
     struct scan scan = read_good("dx = 1 mm\nspacing 2 mm\nx [mm],z [um]\n0,1\n1,2\n2,1\n", "", "");
     assert_near(scan.dx_m, 1e-3, 1e-12);
     assert_within(scan.nominal_dx_m, 0, 0);
+    scan_free(&scan);
+    scan = read_good("Scan Parameters\nResolution,0.156 um/sample\n\nLateral um,Raw Micrometer,\n0.0,1,,\n"
+                     "0.2,2,,\n0.3,1,,\n0.5,3,,\n",
+                     "", "");
+    assert_near(scan.nominal_dx_m, 0.156e-6, 1e-12);
     scan_free(&scan);
 }
 
@@ -194,23 +212,17 @@ TEST_CASE(test_blocks)
     static const char *const others[] = {"# Channel: Phase", "# Channel:2", "# spacing 2 um", "# z [nm]",
                                          "# x unit: mm"};
     for (size_t i = 0; i < sizeof others / sizeof *others; i++) {
-        struct scan scan = read_good(
-            filled("# dx = 1 mm\n# z [um]\n0.5\n-1.25\n2.75\n0.125\n\n%s\n7\n8\n# b: 1\n9\n", others[i]), "", "");
-        assert_int_equal(scan.nx, 4);
-        assert_near(scan.dx_m, 1e-3, 1e-12);
-        assert_int_equal(scan.warning_count, 1);
-        assert_non_null(strstr(scan.warnings[0], "2 more blocks of rows, the first below line 8, '"));
-        assert_non_null(strstr(scan.warnings[0], others[i] + 2));
-        scan_free(&scan);
+        expect_scan(filled("# dx = 1 mm\n# z [um]\n" HEIGHTS "\n%s\n7\n8\n# b: 1\n9\n", others[i]), 4, 0,
+                    filled("2 more blocks of rows, the first below line 8, '%s'", others[i] + 2));
+        expect_scan(filled("# pixel size = 0.5 um\n# z unit: um\n1\t3\t2\t4\n5\t1\t3\t1\n%s\n1\t1\t1\t1\n", others[i]),
+                    4, 0, filled("1 more block of rows, the first below line 5, '%s'", others[i] + 2));
     }
-    static const char *const none[] = {"", "# stylus lifted at 10:31", "# 0.5 7", "#"};
-    for (size_t i = 0; i < sizeof none / sizeof *none; i++) {
-        struct scan scan = read_good(
-            filled("x [mm],z [um]\n0,0.5\n1,-1.25\n%s\n2,2.75\n3,0.125\n# end: 1\n\n# unit: mm\n", none[i]), "", "");
-        assert_int_equal(scan.nx, 4);
-        assert_int_equal(scan.warning_count, 0);
-        scan_free(&scan);
-    }
+    expect_scan("# dx = 1 mm\n# z [um]\n" HEIGHTS "# a: 1\n# b: 2\n7\n8\n", 4, 0,
+                "1 more block of rows, the first below line 7, 'a: 1'");
+    static const char *const none[] = {"", "# stylus lifted at 10:31", "# 0.5 7", "#", "# checked"};
+    for (size_t i = 0; i < sizeof none / sizeof *none; i++)
+        expect_scan(filled("x [mm],z [um]\n0,0.5\n1,-1.25\n%s\n2,2.75\n3,0.125\n# end: 1\n\n# unit: mm\n", none[i]), 4,
+                    0, NULL);
 }
 
 /* Headers of maps of other programs, and of Gwyddion in other languages. */
@@ -234,6 +246,10 @@ TEST_CASE(test_headers_of_maps)
          1e-6, 1},
         {"# Kanal: a\n# Breite: 8.0 \xB5m\n# H\xF6he: 3.0 \xB5m\n# Einheit: nm\n" MATRIX, 2e-6, 1e-6, 1e-9},
         {"# a: 4 um\n# b: 3 um\n# z unit: nm\n" MATRIX, 1e-6, 1e-6, 1e-9},
+        {"\"Modell\",\"x\"\n\"XY-Justierung\",\"500\",\"nm/pixel\"\n\"Einheit\",\"\xB5m\"\n\n"
+         "\"1\",\"3\",\"2\",\"4\"\n\"5\",\"1\",\"3\",\"1\"\n\"1\",\"1\",\"1\",\"1\"\n",
+         5e-7, 5e-7, 1e-6},
+        {"resolution 0.5 um/pixel\npixel size = 0.5 um\nz unit: um\n" MATRIX, 5e-7, 5e-7, 1e-6},
     };
     for (size_t i = 0; i < sizeof maps / sizeof *maps; i++) {
         print_message("%s\n", maps[i].text);
@@ -247,33 +263,21 @@ TEST_CASE(test_headers_of_maps)
     }
     /* lengths that need not be of the map: no square pixels, three of them, not in lines that follow each other */
     static const char *const others[] = {"# tip: 4 um\n# b: 5 um\n", "# a: 4 um\n# b: 3 um\n# c: 1 um\n",
-                                         "# a: 4 um\n# x\n# b: 3 um\n", "# a: 4 um/s\n# b: 3 um\n"};
+                                         "# a: 4 um\n# x\n# b: 3 um\n", "# a: 4 um/s\n# b: 3 um\n",
+                                         "\"Z calibration\",\"2\",\"um/pixel\"\n"};
     for (size_t i = 0; i < sizeof others / sizeof *others; i++)
         assert_refused(filled("%s# p: 1\n1 3 2 4\n5 1 3 1\n1 1 1 1\n", others[i]), "without its pixel size");
+    assert_refused("# Width: 2.0 um\n# Height: 1.0 um\n# Width: 3 um\n# z unit: m\n" MATRIX,
+                   "file:1: lines 1 and 3 name two widths");
     assert_refused(
         "# x-length = 8000\n# y-length = 3000\n1 3 2 4 1 1 1 1 1 1\n5 1 3 1 1 1 1 1 1 1\n1 1 1 1 1 1 1 1 1 x\n",
         "'x' in a column");
 }
 
-TEST_CASE(test_a_spacing_beside_positions)
-{
-    struct scan scan = read_good("Scan Parameters\nResolution,0.156 um/sample\n\nLateral um,Raw Micrometer,\n0.0,1,,\n"
-                                 "0.2,2,,\n0.3,1,,\n0.5,3,,\n",
-                                 "", "");
-    assert_near(scan.nominal_dx_m, 0.156e-6, 1e-12);
-    scan_free(&scan);
-}
-
 TEST_CASE(test_descending)
 {
-    struct scan scan = read_good("x [mm],z [um]\n3,30\n2,20\n0,0\n", "", "");
-    assert_near(scan.x_m[2], 3e-3, 1e-15);
-    assert_near(scan.z_m[2], 30e-6, 1e-15);
-    assert_true(scan.x_m[0] == 0.0 && scan.z_m[0] == 0.0);
-    assert_near(scan.dx_m, 1.5e-3, 1e-15);
-    assert_int_equal(scan.warning_count, 1);
-    assert_non_null(strstr(scan.warnings[0], "reversed"));
-    scan_free(&scan);
+    assert_four_points("x [mm],z [um]\n3,0.125\n2,2.75\n1,-1.25\n0,0.5\n", "", "");
+    expect_scan("x [mm],z [um]\n3,30\n2,20\n0,0\n", 3, 0, "x descends: the scan was reversed");
 }
 
 TEST_CASE(test_refusals)
@@ -308,14 +312,14 @@ TEST_CASE(test_refusals)
 TEST_CASE(test_missing_units)
 {
     const char *text = "0,1\n1,2\n2,3\n";
-    assert_refused_bytes(text, strlen(text), &no_units, "add `x_unit: mm` and `z_unit: um`");
-    assert_refused_bytes(text, strlen(text), &no_units, "--x-unit mm --z-unit um");
+    refuse_with(text, &no_units, "add `x_unit: mm` and `z_unit: um`");
+    refuse_with(text, &no_units, "--x-unit mm --z-unit um");
     struct scan_options x_only = {.x_unit = "mm", .z_unit = ""}, z_only = {.z_unit = "um"},
                         wrong = {.x_unit = "mm", .z_unit = "volt"};
-    assert_refused_bytes(text, strlen(text), &x_only, "no unit for z; add `z_unit: um`");
-    assert_refused_bytes(text, strlen(text), &z_only, "no unit for x; add `x_unit: mm`");
-    assert_refused_bytes(text, strlen(text), &wrong, "is no unit of length; give z_unit");
-    /* a unit that is none of length is named, where it is what lacks; longer words in brackets are no units */
+    refuse_with(text, &x_only, "no unit for z; add `z_unit: um`");
+    refuse_with(text, &z_only, "no unit for x; add `x_unit: mm`");
+    refuse_with(text, &wrong, "is no unit of length; give z_unit");
+    /* a unit in brackets that is no length is named where one is missing; longer words in brackets are no units */
     static const struct {
         const char *title, *refused;
     } titles[] = {
@@ -328,14 +332,9 @@ TEST_CASE(test_missing_units)
         {"x [km],z [px]", "file: unknown unit 'km', no unit for x nor for z; add"},
         {"x (position),z [um]", "file: no unit for x; add"},
     };
-    for (size_t i = 0; i < sizeof titles / sizeof *titles; i++) {
-        char whole[80];
-        snprintf(whole, sizeof whole, "%s\n%s", titles[i].title, text);
-        assert_refused_bytes(whole, strlen(whole), &no_units, titles[i].refused);
-    }
-    struct scan scan;
-    const char *given = "x [km],z [um]\n0,1\n1,2\n2,3\n";
-    expect_ok(read_bytes, &scan, given, strlen(given), &x_only); /* the scene knows better */
+    for (size_t i = 0; i < sizeof titles / sizeof *titles; i++)
+        refuse_with(filled("%s\n%s", titles[i].title, text), &no_units, titles[i].refused);
+    struct scan scan = read_with("x [km],z [um]\n0,1\n1,2\n2,3\n", &x_only); /* the scene's counts */
     assert_string_equal(scan.x_unit, "mm");
     scan_free(&scan);
 }
@@ -407,34 +406,26 @@ TEST_CASE(test_missing)
         }
         scan_free(&scan);
     }
-    struct scan scan = read_good("spacing 0.5 um, heights in um\nz unit: um\n1\n2\n***\nBAD\n3\n", "", "");
-    assert_int_equal(scan.nx, 5);
-    assert_int_equal(scan.missing, 2);
-    scan_free(&scan);
+    expect_scan("spacing 0.5 um, heights in um\nz unit: um\n1\n2\n***\nBAD\n3\n", 5, 2, NULL);
+    expect_scan("x_unit: mm\nz_unit: um\n0 5\n1 -25400\n2 6\n3 5\n", 4, 1,
+                "a height of -25400 um stands for a missing point, 1 times");
+    expect_scan("x_unit: mm\nz_unit: nm\n0 5\n1 -25400\n2 -20000\n3 5\n", 4, 0, NULL); /* others are as large */
 }
 
-/* A first line with the number of points is none of them, and has to be right. */
+/* A first line may say how many points follow, and has to be right. */
 TEST_CASE(test_counts)
 {
-    static const char *const texts[] = {"4\n"
-                                        "0 0.5\n1 -1.25\n2 2.75\n3 0.125\n",
-                                        "title\n4\n\n0,0.5\n1,-1.25\n2,2.75\n3,0.125\n",
-                                        "4,\n0,0.5,\n1,-1.25,\n2,2.75,\n3,0.125,\n"};
-    for (size_t k = 0; k < sizeof texts / sizeof *texts; k++)
-        assert_four_points(texts[k], "mm", "um");
-    assert_refused("5\n0 0.5\n1 -1.25\n2 2.75\n3 0.125\n", "file:1: 5 points are announced, 4 follow; copy the file");
-    assert_refused("3\n0 0.5\n1 -1.25\n2 2.75\n3 0.125\n", "file:1: 3 points are announced, 4 follow");
-    struct scan scan = read_good("# spacing 1 mm\n4\n0.5\n-1.25\n2.75\n0.125\n", "", "um");
-    assert_int_equal(scan.nx, 4);
-    assert_within(scan.z_m[0], 0.5e-6, 1e-15);
-    assert_non_null(strstr(scan.warnings[0], "the first number, 4, says how many heights follow"));
-    scan_free(&scan);
-    scan = read_good("# spacing 1 mm\n4\n1\n3\n2\n1\n", "", "um"); /* whole numbers all: a height, as before */
-    assert_int_equal(scan.nx, 5);
-    scan_free(&scan);
+    assert_four_points("4\n" BLANKS, "mm", "um");
+    assert_four_points("title\n4\n\n" POINTS, "mm", "um");
+    assert_four_points("4,\n0,0.5,\n1,-1.25,\n2,2.75,\n3,0.125,\n", "mm", "um");
+    assert_refused("5\n" BLANKS, "file:1: 5 points are announced, 4 follow; copy the file");
+    assert_refused("3\n" BLANKS, "file:1: 3 points are announced, 4 follow");
+    assert_four_points("# spacing 1 mm\n4\n" HEIGHTS, "", "um");
+    expect_scan("# spacing 1 mm\n# z [um]\n4\n" HEIGHTS, 4, 0, "the first number, 4, says how many heights follow");
+    expect_scan("# spacing 1 mm\n# z [um]\n4\n1\n3\n2\n1\n", 5, 0, NULL); /* whole numbers all: a height */
 }
 
-/* The text goes once its columns are taken: not before a sidecar had its say, nor before an error names its line. */
+/* The file's text is freed once its columns are read, but not if a sidecar or the line of an error needs it. */
 TEST_CASE(test_a_spent_text_is_freed)
 {
     static const struct {
@@ -462,70 +453,9 @@ TEST_CASE(test_a_spent_text_is_freed)
     }
 }
 
-static void assert_map(const char *text, double dx_m, double dy_m, double first_m)
-{
-    struct scan scan = read_good(text, "", "");
-    assert_int_equal(scan.nx, 4);
-    assert_int_equal(scan.ny, 2);
-    assert_near(scan.dx_m, dx_m, 1e-12);
-    assert_near(scan.dy_m, dy_m, 1e-12);
-    assert_near(scan.z_m[0], first_m, 1e-12);
-    scan_free(&scan);
-}
-
-#define TWO_ROWS "1\t2\t3\t1\n2\t4\t1\t2\n"
-
-/* What programs write above a map, in their own units and in any language. */
-TEST_CASE(test_maps_in_any_language)
-{
-    assert_map("# Canal : Topo\n# Largeur : 2.0 \xC2\xB5m\n# Hauteur : 1.0 \xC2\xB5m\n# Unit\xC3\xA9s : m\n" TWO_ROWS,
-               5e-7, 5e-7, 1);
-    assert_map("# Created by SPIP 6.3\n# x-length = 2000\n# y-length = 1000\n# z-unit = nm\n" TWO_ROWS, 5e-7, 5e-7,
-               1e-9);
-    assert_map("Created by Nova\nNX = 4\nScale X = 0.5\nScale Y = 0.5\nUnit X = um\nUnit Data = nm\n" TWO_ROWS, 5e-7,
-               5e-7, 1e-9);
-    assert_map("\"Modell\",\"x\"\n\"XY-Justierung\",\"500\",\"nm/"
-               "pixel\"\n\"Einheit\",\"\xB5m\"\n\n\"1\",\"2\",\"3\",\"1\"\n\"2\",\"4\",\"1\",\"2\"\n",
-               5e-7, 5e-7, 1e-6);
-    /* a third length could be anything */
-    assert_refused("# Largeur : 2.0 um\n# Hauteur : 1.0 um\n# Pas : 3 um\n# Unites : m\n" TWO_ROWS TWO_ROWS,
-                   "without its pixel size");
-    assert_refused("# Width: 2.0 um\n# Height: 1.0 um\n# Width: 3 um\n# z unit: m\n" TWO_ROWS,
-                   "file:1: lines 1 and 3 name two widths");
-    /* a step stays one when it is counted by pixels; what is no pixel's stays out */
-    assert_map("resolution 0.5 um/pixel\npixel size = 0.5 um\nz unit: um\n" TWO_ROWS, 5e-7, 5e-7, 1e-6);
-    assert_four_points("step 1 mm/pixel\nz unit: um\n0.5\n-1.25\n2.75\n0.125\n", "", "");
-    assert_refused("\"Z calibration\",\"2\",\"um/pixel\"\n1,3,2,4\n5,1,3,1\n1,1,1,1\n", "without its pixel size");
-}
-
-/* Keys in a comment between rows begin another block, which is left for a file of its own; a remark does not. */
-TEST_CASE(test_blocks_of_maps)
-{
-    static const char *const seconds[] = {"# Channel: Phase\n# Width: 2 um\n3\t4\t5\t6\n",
-                                          "# spacing 2 um\n3\t4\t5\t6\n"};
-    for (size_t k = 0; k < 2; k++) {
-        struct scan scan = read_good(filled("# pixel size = 0.5 um\n# z unit: um\n" TWO_ROWS "%s", seconds[k]), "", "");
-        assert_int_equal(scan.ny, 2);
-        assert_non_null(
-            strstr(scan.warnings[scan.warning_count - 1], "1 more block of rows, the first below line 5, '"));
-        scan_free(&scan);
-    }
-    struct scan scan = read_good("# pixel size = 0.5 um\n# z unit: um\n" TWO_ROWS "# checked\n3\t4\t5\t6\n", "", "");
-    assert_int_equal(scan.ny, 3);
-    scan_free(&scan);
-}
-
-/* Cells in quotes, with commas as decimal signs where they separate columns too. */
-TEST_CASE(test_quotes)
-{
-    assert_four_points(
-        "\"x [mm]\",\"z [um]\"\n\"0,0\",\"0,5\"\n\"1,0\",\"-1,25\"\n\"2,0\",\"2,75\"\n\"3,0\",\"0,125\"\n", "", "");
-    assert_four_points(
-        "\"x [mm]\";\"z [um]\"\n\"0,0\";\"0,5\"\n\"1,0\";\"-1,25\"\n\"2,0\";\"2,75\"\n\"3,0\";\"0,125\"\n", "", "");
-}
-
-/* A height that comes again, far off all others, was not measured; one spike, a step and heights that happen to be 9999
- * were. */
+/* A height that is repeated far from all others was not measured; a single spike, a step and usual heights of 9999
+ * were.
+ */
 TEST_CASE(test_gap_codes)
 {
     static const struct {
@@ -533,7 +463,7 @@ TEST_CASE(test_gap_codes)
         int times;
         double scale;
         size_t missing;
-    } cases[] = {{9999, 4, 1, 4}, {1e10, 2, 1, 2}, {9999, 1, 1, 0}, {-2147483648.0, 3, 1, 3}, {777, 4, 1, 4},
+    } cases[] = {{9999, 4, 1, 4}, {1e10, 2, 1, 2}, {9999, 1, 1, 0}, {-2147483648.0, 3, 1, 3}, {100, 4, 1, 4},
                  {-777, 4, 1, 4}, {777, 1, 1, 0},  {40, 4, 1, 0},   {9999, 4, 2000, 0},       {777, 60, 1, 0}};
     for (size_t c = 0; c < sizeof cases / sizeof *cases; c++) {
         struct text *text = support_text();
@@ -548,16 +478,13 @@ TEST_CASE(test_gap_codes)
     }
 }
 
-/* Text in a column is said, with what to choose, and passed over where that is done; a counter is no position. */
+/* The message on a column of text says what to choose, and the choice works. A counter is no position. */
 TEST_CASE(test_columns_that_are_no_scan)
 {
     static const char timed[] = "time,x_mm,z_um\n2024-03-01 10:11:00,0,0.5\n2024-03-01 10:11:01,1,-1.25\n"
                                 "2024-03-01 10:11:02,2,2.75\n2024-03-01 10:11:03,3,0.125\n";
     assert_refused(timed, "column 1 holds text; choose the columns of x and z, as with `--column 2,3`");
-    struct scan scan;
-    struct status status = {0};
-    const struct scan_options chosen = {.x_column = 2, .z_column = 3};
-    assert_int_equal(read_bytes(&scan, timed, strlen(timed), &chosen, &status), STATUS_OK);
+    struct scan scan = read_with(timed, &(struct scan_options){.x_column = 2, .z_column = 3});
     assert_int_equal(scan.nx, 4);
     assert_near(scan.z_m[2], 2.75e-6, 1e-12);
     assert_near(scan.dx_m, 1e-3, 1e-12);

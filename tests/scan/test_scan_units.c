@@ -34,7 +34,7 @@ TEST_CASE(test_headers)
         /* titles of one column */
         {"x [mm],z\n" COMMA, "mm", NULL},
         {"x,z [um]\n" COMMA, NULL, "um"},
-        /* a unit of its own cell that may be anybody's */
+        /* a unit in a cell of its own may be that of any column */
         {"X: mm\n" BLANK, NULL, NULL},
         {"x,um\n" COMMA, NULL, NULL},
         {"spacing = 0.5\nX [mm]\n" ONE, NULL, NULL},
@@ -54,7 +54,7 @@ TEST_CASE(test_headers)
         {"x [mm],height after slope removal [um]\n" COMMA, "mm", "um"},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        /* what is not said the scene says, in a unit of its own */
+        /* the scene gives what the file does not, in other units */
         struct scan scan = read_good(rows[i].text, "in", "pm");
         if (strcmp(scan.x_unit, rows[i].x_unit ? rows[i].x_unit : "in") != 0 ||
             strcmp(scan.z_unit, rows[i].z_unit ? rows[i].z_unit : "pm") != 0)
@@ -69,10 +69,10 @@ TEST_CASE(test_headers)
                   1e-12);
         scan_free(&scan);
         if (!rows[i].x_unit || !rows[i].z_unit)
-            assert_refused_bytes(rows[i].text, strlen(rows[i].text), &no_units,
-                                 rows[i].x_unit   ? "no unit for z; add `z_unit: um`"
-                                 : rows[i].z_unit ? "no unit for x; add `x_unit: mm`"
-                                                  : "no unit for x nor for z");
+            refuse_with(rows[i].text, &no_units,
+                        rows[i].x_unit   ? "no unit for z; add `z_unit: um`"
+                        : rows[i].z_unit ? "no unit for x; add `x_unit: mm`"
+                                         : "no unit for x nor for z");
     }
     struct scan scan = read_good("unit: um\n" COMMA, "", "");
     assert_string_equal(scan.warnings[0], "the file names one unit for x and z alike, um");
@@ -83,22 +83,7 @@ TEST_CASE(test_headers)
     scan_free(&scan);
 }
 
-static struct scan read_with(const char *text, const struct scan_options *options)
-{
-    struct scan scan;
-    struct status status = {0};
-    if (read_bytes(&scan, text, strlen(text), options, &status) != STATUS_OK)
-        fail_msg("'%s' refused: %s", text, status.message);
-    assert_sound(&scan);
-    return scan;
-}
-
-static void refuse_with(const char *text, const struct scan_options *options, const char *expected)
-{
-    assert_refused_bytes(text, strlen(text), options, expected);
-}
-
-/* A slope is told by its unit or its title, whatever the scene says; heights beside it may be chosen. */
+/* A column is known as slopes by its unit or its title, whatever unit the scene gives. */
 TEST_CASE(test_slopes)
 {
     struct scan slope;
@@ -148,7 +133,7 @@ TEST_CASE(test_columns)
         {TWO, 0, 3, 1e-3, 40e-6},
         {TWO, 1, 3, 1e-3, 40e-6},
         {"9 0 5\n7 1 6\n5 2 7\n3 3 8\n", 2, 3, 1e-3, 8e-6},
-        {FIVE, 0, 4, 1e-3, 7e-9}, /* a missing point of another column is nobody's */
+        {FIVE, 0, 4, 1e-3, 7e-9}, /* points missing in another column do not count */
         {"spacing 0.5 um\n1\n2\n3\n4\n", 0, 1, 0.5e-6, 4e-6},
         {"spacing 0.5 um\n1 7\n2 8\n1 9\n3 7\n", 0, 2, 0.5e-6, 7e-6}, /* no x: the spacing */
         {"spacing 0.5 um\n1 7\n2 8\n1 9\n3 7\n", 0, 1, 0.5e-6, 3e-6},
@@ -250,7 +235,7 @@ IN_FOLDER(test_sidecars)
         expect_refusal(&no_units, "no unit for");
         remove(directory_path(folder, bad[i].name));
     }
-    /* before the scene, behind the file */
+    /* a sidecar counts before the scene, and after the file */
     struct scan_options scene = {.x_unit = "mm", .z_unit = "um"};
     struct scan scan;
     directory_write(folder, "s.txt", "z unit: nm\n");

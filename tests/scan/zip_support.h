@@ -62,13 +62,9 @@ static inline struct packed pack(const char *name, const char *bytes, size_t len
 /* What local header and directory share, from the flags to the length of the name. */
 static inline void put_common(struct text *text, const struct packed *member, bool zip64)
 {
-    put_bytes(text, member->flags, 2);
-    put_bytes(text, member->method, 2);
-    put_bytes(text, 0, 4);
-    put_bytes(text, member->crc, 4);
-    put_bytes(text, zip64 ? UINT32_MAX : member->bytes.length, 4);
-    put_bytes(text, zip64 ? UINT32_MAX : member->size, 4);
-    put_bytes(text, strlen(member->name), 2);
+    PUT(text, {member->flags, 2}, {member->method, 2}, {0, 4}, {member->crc, 4},
+        {zip64 ? UINT32_MAX : member->bytes.length, 4}, {zip64 ? UINT32_MAX : member->size, 4},
+        {strlen(member->name), 2});
 }
 
 /* An archive of these members. */
@@ -79,38 +75,23 @@ static inline struct text zip_of(const struct packed *members, size_t count)
         const struct packed *member = &members[i];
         size_t at = member->at == SIZE_MAX ? text.length : member->at;
         if (member->at == SIZE_MAX) {
-            put_bytes(&text, 0x04034b50, 4);
-            put_bytes(&text, 20, 2);
+            PUT(&text, {0x04034b50, 4}, {20, 2});
             put_common(&text, member, false);
             put_bytes(&text, 0, 2);
             put_field(&text, member->name, strlen(member->name));
             put_copy(&text, &member->bytes);
         }
-        put_bytes(&directory, 0x02014b50, 4);
-        put_bytes(&directory, 20, 2);
-        put_bytes(&directory, 20, 2);
+        PUT(&directory, {0x02014b50, 4}, {20, 2}, {20, 2});
         put_common(&directory, member, member->zip64);
-        put_bytes(&directory, member->zip64 ? 28 : 0, 2);
-        put_bytes(&directory, 0, 10);
-        put_bytes(&directory, member->zip64 ? UINT32_MAX : at, 4);
+        PUT(&directory, {member->zip64 ? 28 : 0, 2}, {0, 10}, {member->zip64 ? UINT32_MAX : at, 4});
         put_field(&directory, member->name, strlen(member->name));
         if (member->zip64) {
-            put_bytes(&directory, 1, 2);
-            put_bytes(&directory, 24, 2);
-            put_bytes(&directory, member->size, 8);
-            put_bytes(&directory, member->bytes.length, 8);
-            put_bytes(&directory, at, 8);
+            PUT(&directory, {1, 2}, {24, 2}, {member->size, 8}, {member->bytes.length, 8}, {at, 8});
         }
     }
     size_t start = text.length;
     put_copy(&text, &directory);
-    put_bytes(&text, 0x06054b50, 4);
-    put_bytes(&text, 0, 4);
-    put_bytes(&text, count, 2);
-    put_bytes(&text, count, 2);
-    put_bytes(&text, directory.length, 4);
-    put_bytes(&text, start, 4);
-    put_bytes(&text, 0, 2);
+    PUT(&text, {0x06054b50, 4}, {0, 4}, {count, 2}, {count, 2}, {directory.length, 4}, {start, 4}, {0, 2});
     text_free(&directory);
     return text;
 }

@@ -206,7 +206,7 @@ static const struct wrong rows[] = {
      "'ecr' is a resistance, but on which area? add 'nominal_area', or give it times an area (ohm m2)"},
 };
 
-/* `text` in a directory of two scans is refused by that message. */
+/* Reads a scene in a directory of two scans, which is refused with that message. */
 static void check_message(const struct directory *directory, const char *text, size_t line, const char *message)
 {
     struct scene scene;
@@ -223,24 +223,21 @@ static void check_message(const struct directory *directory, const char *text, s
     scene_free(&scene);
 }
 
-static struct directory two_scans(void)
+static void add_two_scans(const struct directory *directory)
 {
-    struct directory directory = directory_make();
-    scene_directory_add(&directory, "a.csv");
-    scene_directory_add(&directory, "b.csv");
-    return directory;
+    scene_directory_add(directory, "a.csv");
+    scene_directory_add(directory, "b.csv");
 }
 
-TEST_CASE(test_every_message)
+TEST_IN_DIRECTORY(test_every_message)
 {
-    struct directory directory = two_scans();
+    add_two_scans(place);
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
-        check_message(&directory, rows[i].text, rows[i].line, rows[i].expected);
-    directory_remove(&directory);
+        check_message(place, rows[i].text, rows[i].line, rows[i].expected);
 }
 
-/* Every key with a dimension takes its units, and no other; what is no decimal number is none. */
-TEST_CASE(test_quantities)
+/* Every key with a dimension takes its units, and no other; only decimal numbers are numbers. */
+TEST_IN_DIRECTORY(test_quantities)
 {
     static const struct {
         const char *text; /* with @ for the value, in its first line */
@@ -266,17 +263,14 @@ TEST_CASE(test_quantities)
         {"targets: [{conductance: @}]\n", "conductance", UNIT_CONDUCTANCE_AREA, {"5 K/W"}},
         {"operating_load: @\n", "operating_load", UNIT_LOADS, {"5 s"}},
     };
-    struct directory directory = two_scans();
+    add_two_scans(place);
     for (size_t k = 0; k < sizeof keys / sizeof *keys; k++)
         for (const char *const *value = keys[k].values; *value; value++) {
-            char text[256];
-            const char *place = strchr(keys[k].text, '@');
-            snprintf(text, sizeof text, "%.*s%s%s", (int)(place - keys[k].text), keys[k].text, *value, place + 1);
+            const char *text = keys[k].text, *at = strchr(text, '@');
             check_message(
-                &directory, text, 1,
+                place, filled("%.*s%s%s", (int)(at - text), text, *value, at + 1), 1,
                 filled("'%s' is '%s'; give %s", keys[k].key, *value, scene_quantity_help(keys[k].quantities).text));
         }
-    directory_remove(&directory);
 }
 
 /* Texts too large to write down: `count` times `part` between `start` and `end`. */
@@ -287,7 +281,7 @@ static void check_large(const char *start, const char *part, size_t count, const
     struct text *text = support_text();
     text_add(text, "%s", start);
     for (size_t i = 0; i < count; i++)
-        text_add(text, "%s", part);
+        text_add_bytes(text, part, strlen(part));
     text_add(text, "%s", end);
     directory_write(&directory, "scene.yaml", text->data);
     scene_directory_refused(directory.path, NULL, STATUS_SCENE, expected);
@@ -312,7 +306,7 @@ TEST_CASE(test_aliases_do_not_multiply)
     text_add(end, "]}\n");
     for (int i = 1; i < 500; i++)
         text_add(end, "- {name: n%d, file: *f}\n", i);
-    check_large("surfaces:\n- {file: &f [", "a, ", 50000, text_string(end),
+    check_large("surfaces:\n- {file: &f [", "a, ", 50001, text_string(end),
                 "/scene.yaml:2: more than 100000 files in one scene; split it");
 }
 

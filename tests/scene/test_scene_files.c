@@ -82,11 +82,10 @@ TEST_CASE(test_listings)
         lay_out(&directory, listings[i].files);
         if (listings[i].scene)
             directory_write(&directory, "scene.yaml", listings[i].scene);
-        struct scene scene = scene_directory_read(directory.path, NULL);
-        assert_surfaces(&scene, listings[i].surfaces);
-        assert_string_equal(scene.passed_over ? scene.passed_over : "",
+        struct scene *scene = scene_directory_read(directory.path, NULL);
+        assert_surfaces(scene, listings[i].surfaces);
+        assert_string_equal(scene->passed_over ? scene->passed_over : "",
                             listings[i].passed_over ? listings[i].passed_over : "");
-        scene_free(&scene);
         directory_remove(&directory);
     }
 }
@@ -113,9 +112,8 @@ TEST_IN_DIRECTORY(test_what_is_no_scan)
     assert_int_equal(mkfifo(directory_path(place, "pipe.csv"), 0600), 0);
     assert_int_equal(symlink("nowhere", directory_path(place, "dangling.csv")), 0);
     assert_int_equal(symlink(directory_path(place, ".hidden.csv"), directory_path(place, "link.csv")), 0);
-    struct scene scene = scene_directory_read(place->path, NULL); /* a link to a file is as good as the file */
-    assert_surfaces(&scene, "link: link.csv|scan: scan.csv");
-    scene_free(&scene);
+    struct scene *scene = scene_directory_read(place->path, NULL); /* a link to a file is as good as the file */
+    assert_surfaces(scene, "link: link.csv|scan: scan.csv");
 }
 
 /* The counterface's scan and the measurements are no surfaces, however their paths are spelt; units given for all
@@ -129,11 +127,10 @@ TEST_IN_DIRECTORY(test_files_spoken_for)
         directory_write(
             place, "scene.yaml",
             filled("counterface: {surface: %sb.csv}\nmeasured: {file: %sm.csv}\n", spellings[i], spellings[i]));
-        struct scene scene = scene_directory_read(place->path, &units);
-        assert_surfaces(&scene, "a: a.csv");
-        assert_string_equal(scene.counterface_surface.x_unit, "mm");
-        assert_string_equal(scene.counterface_surface.z_unit, "um");
-        scene_free(&scene);
+        struct scene *scene = scene_directory_read(place->path, &units);
+        assert_surfaces(scene, "a: a.csv");
+        assert_string_equal(scene->counterface_surface.x_unit, "mm");
+        assert_string_equal(scene->counterface_surface.z_unit, "um");
     }
 }
 
@@ -143,9 +140,9 @@ TEST_CASE(test_columns)
                                "surfaces:\n  - {name: p, file: a.csv}\n"
                                "  - {name: q, file: a.csv, column: 3}\n"
                                "  - {name: r, file: a.csv, column: [1, 4]}\n";
-    struct scene scene = scene_of(text);
-    const struct scene_surface *surface[] = {&scene.surfaces[0], &scene.surfaces[1], &scene.surfaces[2],
-                                             &scene.counterface_surface};
+    struct scene *scene = scene_of(text);
+    const struct scene_surface *surface[] = {&scene->surfaces[0], &scene->surfaces[1], &scene->surfaces[2],
+                                             &scene->counterface_surface};
     static const struct {
         size_t x, z;
     } expected[] = {{0, 0}, {0, 3}, {1, 4}, {2, 1}};
@@ -153,7 +150,6 @@ TEST_CASE(test_columns)
         assert_int_equal(surface[i]->x_column, expected[i].x);
         assert_int_equal(surface[i]->z_column, expected[i].z);
     }
-    scene_free(&scene);
 }
 
 TEST_IN_DIRECTORY(test_many_files)
@@ -162,11 +158,10 @@ TEST_IN_DIRECTORY(test_many_files)
     for (int i = MANY; i > 0; i--) {
         scene_directory_add(place, filled("%d.csv", i));
     }
-    struct scene scene = scene_directory_read(place->path, NULL);
-    assert_int_equal(scene.surface_count, MANY);
+    struct scene *scene = scene_directory_read(place->path, NULL);
+    assert_int_equal(scene->surface_count, MANY);
     for (int i = 0; i < MANY; i++)
-        assert_int_equal(atoi(scene.surfaces[i].name), i + 1);
-    scene_free(&scene);
+        assert_int_equal(atoi(scene->surfaces[i].name), i + 1);
 }
 
 TEST_CASE(test_no_directory)

@@ -25,7 +25,7 @@ enum {
     SCANS_EACH = 4, /* of a surface, that lie two of the longest waves apart */
     KINDS = 5,
     HARDNESSES = 4,
-    SETS = 4,
+    SETS = 5,
     STRETCHES = 4,
     ASKED = 3
 };
@@ -49,8 +49,13 @@ static const struct kind {
 static const struct set {
     const char *name;
     size_t scans[2];
-} sets[SETS] = {{"1 and 1", {1, 1}}, {"3 and 3", {3, 3}}, {"5 and 5", {5, 5}}, {"1 and 5", {1, 5}}};
-static const struct set maps = {"maps", {0, 0}};
+    bool across; /* as many of the columns too */
+} sets[SETS] = {{"1 and 1", {1, 1}, false},
+                {"3 and 3", {3, 3}, false},
+                {"5 and 5", {5, 5}, false},
+                {"1 and 5", {1, 5}, false},
+                {"3 + 3 and 3 + 3", {3, 3}, true}};
+static const struct set maps = {"maps", {0, 0}, false};
 
 /** Heights of rms gradient `gradient`, Hurst exponent 0.7. */
 static double *make_surface(const struct kind *kind, uint64_t seed)
@@ -79,14 +84,15 @@ static double *make_surface(const struct kind *kind, uint64_t seed)
     return height_m;
 }
 
-/** The first half of a row as a scan NAME/NUMBER.csv. */
-static void write_scan(const struct directory *place, const char *name, size_t number, const double *z, double stretch)
+/** Half a side's heights, every `step`-th value, as a scan NAME/NUMBER.csv. */
+static void write_scan(const struct directory *place, const char *name, size_t number, const double *z, size_t step,
+                       double stretch)
 {
     char file[32];
     struct text text = {0};
     text_add(&text, "x [um],z [nm]\n");
     for (size_t i = 0; i < SIDE / 2; i++)
-        text_add(&text, "%zu,%.9g\n", i, stretch * z[i] * 1e9);
+        text_add(&text, "%zu,%.9g\n", i, stretch * z[i * step] * 1e9);
     snprintf(file, sizeof file, "%s/%zu.csv", name, number);
     directory_write(place, file, text_string(&text));
     text_free(&text);
@@ -94,13 +100,17 @@ static void write_scan(const struct directory *place, const char *name, size_t n
 
 /** `count` scans of a half, from its edge, or (0) a map of the middle of its left or right half. */
 static void write_half(const struct directory *place, const char *name, const double *height_m, int half, size_t right,
-                       size_t count, double stretch)
+                       const struct set *set, double stretch)
 {
     char file[32];
     struct text text = {0};
-    for (size_t r = 0; r < count; r++)
-        write_scan(place, name, r, height_m + ((size_t)half * SIDE / 2 + (2 * r + 1) * SIDE / 2 / (2 * count)) * SIDE,
-                   stretch);
+    const size_t count = set->scans[half], row = (size_t)half * SIDE / 2;
+    for (size_t r = 0; r < count; r++) {
+        size_t at = (2 * r + 1) * SIDE / 2 / (2 * count);
+        write_scan(place, name, r, height_m + (row + at) * SIDE, 1, stretch);
+        if (set->across)
+            write_scan(place, name, count + r, height_m + row * SIDE + at, SIDE, stretch);
+    }
     if (count > 0)
         return;
     text_add(&text, "Gwyddion Simple Field 1.0\nXRes = %d\nYRes = %d\nXReal = %.9g\nYReal = %.9g\n", MAP, MAP,
@@ -119,7 +129,8 @@ static void write_half(const struct directory *place, const char *name, const do
     text_free(&text);
 }
 
-static void write_scene(const struct directory *place, double hardness)
+/** `across`: scans 3 to 5 of a and c run along. */
+static void write_scene(const struct directory *place, double hardness, bool across)
 {
     struct text scene = {0};
     double hardness_Pa = 1e11 * gradient * (isinf(hardness) ? 10 : hardness);
@@ -128,6 +139,9 @@ static void write_scene(const struct directory *place, double hardness)
     text_add(&scene, "effects: [separation, electrical, uncertainty%s]\n", isinf(hardness) ? "" : ", plasticity");
     text_add(&scene, "load: {values: [%.17g, %.17g, %.17g]}\noperating_load: %.17g Pa\n", load * gradient / 2,
              load * gradient, load * gradient * 2, load * gradient * 1e11);
+    for (const char *name = "ac"; across && *name; name++)
+        text_add(&scene, "%s  - {name: %c, file: '%c/[0-2].csv', along: '%c/[3-5].csv'}\n",
+                 *name == 'a' ? "surfaces:\n" : "", *name, *name, *name);
     directory_write(place, "scene.yaml", text_string(&scene));
     text_free(&scene);
 }
@@ -212,7 +226,7 @@ static bool family_apart(const struct directory *place)
 {
     struct analysis analysis;
     struct status status = {0};
-    struct comparison_ranking ranking = {.count = MEMBERS};
+    struct comparison ranking = {.count = MEMBERS};
     const struct estimate *estimates[MEMBERS];
     bool apart = false;
     analyse(&analysis, place);
@@ -222,7 +236,7 @@ static bool family_apart(const struct directory *place)
     coverage_must(comparison_test(&ranking, estimates, &status), &status);
     for (size_t k = 0; k < MEMBERS * (MEMBERS - 1) / 2; k++)
         apart = apart || comparison_told_apart(&ranking.pairs[k]);
-    comparison_ranking_free(&ranking);
+    comparison_free(&ranking);
     end_analysis(&analysis);
     return apart;
 }
@@ -234,7 +248,7 @@ static void write_family(const struct directory *place, const struct kind *kind,
         double *height_m = make_surface(kind, seed * MEMBERS + k);
         for (size_t r = 0; r < SCANS_EACH; r++)
             write_scan(place, (const char[]){(char)('a' + k * SCANS_EACH + r), 0}, 0,
-                       height_m + r * SIDE / SCANS_EACH * SIDE, 1);
+                       height_m + r * SIDE / SCANS_EACH * SIDE, 1, 1);
         free(height_m);
     }
 }
@@ -248,7 +262,7 @@ static void add_families(struct page *page)
         fprintf(stderr, "a family of %s\n", kinds[k % KINDS].name);
         write_family(&place, &kinds[k % KINDS], 1 + k);
         for (size_t h = 0; h < HARDNESSES; h++) {
-            write_scene(&place, hardnesses[h]);
+            write_scene(&place, hardnesses[h], false);
             apart[h] += family_apart(&place);
         }
         directory_remove(&place);
@@ -269,9 +283,9 @@ static void run(struct count out[HARDNESSES], const struct kind *kind, const str
         for (size_t half = 0; half < 2; half++)
             for (size_t right = 0; right < (set->scans[half] > 0 ? 1 : MAPS); right++)
                 write_half(&place, (const char[]){(char)('a' + MAPS * half + right), 0}, height_m, (int)half, right,
-                           set->scans[half], half > 0 ? stretch : 1);
+                           set, half > 0 ? stretch : 1);
         for (size_t h = 0; h < HARDNESSES; h++) {
-            write_scene(&place, hardnesses[h]);
+            write_scene(&place, hardnesses[h], set->across);
             hold(&out[h], &place);
         }
         directory_remove(&place);

@@ -37,8 +37,9 @@ static void solve(struct direct_point *out, const double *height_m, const double
     struct status status = {0};
     const struct direct_ladder_def def = {
         .load = load, .loads = loads, .hardness = INFINITY, .tolerance = 1e-6, .resistance = true};
-    coverage_must(direct_contact_make(&contact, height_m, &(struct direct_grid){SIDE, SIDE, 1. / SIDE, false}, &status),
-                  &status);
+    coverage_must(
+        direct_contact_make(&contact, height_m, &(struct direct_grid){SIDE, SIDE, 1. / SIDE, false, false}, &status),
+        &status);
     coverage_must(direct_ladder_run(out, &contact, &def, &status), &status);
     direct_contact_free(&contact);
 }

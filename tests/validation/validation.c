@@ -186,8 +186,9 @@ static void solve(struct direct_point *out, const double *height_m, double hardn
         own[i] = loads[i] * gradient;
     const struct direct_ladder_def def = {
         .load = own, .loads = LOADS, .hardness = hardness * gradient, .tolerance = 1e-6, .resistance = true};
-    coverage_must(direct_contact_make(&contact, height_m, &(struct direct_grid){SIDE, SIDE, spacing_m, false}, &status),
-                  &status);
+    coverage_must(
+        direct_contact_make(&contact, height_m, &(struct direct_grid){SIDE, SIDE, spacing_m, false, false}, &status),
+        &status);
     coverage_must(direct_ladder_run(out, &contact, &def, &status), &status);
     direct_contact_free(&contact);
 }

@@ -2,9 +2,6 @@
 /* libFuzzer's side of a driver; FUZZ_TARGET is one of the functions of fuzz.h. */
 #include "fuzz/fuzz.h"
 
-#define JOIN(a, b)   a##b
-#define COUNTS_OF(a) JOIN(a, _counts)
-
 int LLVMFuzzerInitialize(int *argc, char ***argv);
 int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t length);
 size_t LLVMFuzzerMutate(uint8_t *bytes, size_t length, size_t most);
@@ -13,7 +10,7 @@ size_t LLVMFuzzerCustomMutator(uint8_t *bytes, size_t length, size_t most, unsig
 int LLVMFuzzerInitialize(int *argc, char ***argv)
 {
     (void)argc, (void)argv;
-    return atexit(COUNTS_OF(FUZZ_TARGET));
+    return atexit(fuzz_print_counts);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t length)
@@ -22,8 +19,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t length)
     return 0;
 }
 
-/* Three of four mutations keep the beginning, by which a format is known: else most runs would be of files that are
- * none. */
+/* Three of four mutations keep the beginning, which tells the format: else most runs would be of unknown files. */
 size_t LLVMFuzzerCustomMutator(uint8_t *bytes, size_t length, size_t most, unsigned seed)
 {
     uint8_t kept[26];

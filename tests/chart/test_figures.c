@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The picture of a map: its files' names and scripts, whatever the surface is called. */
-#include "chart/map_picture.h"
+/* The picture of a map has files with names that are safe, whatever the surface is called. */
+#include "chart/figures.h"
 #include "directory.h"
 
 TEST_CASE(names_of_files)
@@ -13,7 +13,7 @@ TEST_CASE(names_of_files)
         {"a234567890123456789012345678901234567890", "map-a23456789012345678901234567"}};
     char out[32];
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
-        map_picture_name(out, sizeof out, names[i][0]);
+        figures_map_name(out, sizeof out, names[i][0]);
         assert_string_equal(out, names[i][1]);
     }
 }
