@@ -9,10 +9,10 @@ const struct sensitivity_change_row sensitivity_changes[SENSITIVITY_CHANGES] = {
     [SENSITIVITY_HARDNESS_RAISED] = {"hardness x1.1", true},
 };
 
-/** What hardness and yield strength are raised by: 1.1, about how well they are known of a metal whose state is not. */
+/** Factor on hardness and yield strength: about how well they are known of a metal of unknown temper. */
 static const double sensitivity_hardness_factor = 1.1;
 
-/** Area and ECR at the one load of the task; NaN where the model has no answer there. */
+/** Area and ECR at the one load of the task; NaN: no answer. */
 static enum status_code solve_one(struct contact_point *out, const struct model_row *model,
                                   const struct model_task *task, struct status *status)
 {
@@ -28,7 +28,7 @@ static enum status_code solve_one(struct contact_point *out, const struct model_
     return STATUS_OK;
 }
 
-/** The geometric mean of two numbers over a third; NaN where that is 0. */
+/** Geometric mean of two numbers over a third; NaN where that is 0. */
 static double ratio(const struct contact_point *a, const struct contact_point *b, const struct contact_point *as_is,
                     enum quantity quantity)
 {

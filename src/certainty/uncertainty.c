@@ -11,7 +11,7 @@
 #include <string.h>
 
 enum {
-    UNCERTAINTY_LOADS = 3, /* first, middle and last: in between the deviation goes straight in ln load */
+    UNCERTAINTY_LOADS = 3, /* first, operating and last; linear in ln load between */
     RECORDS = SINGLE_SCAN_RECORDS,
     QUARTERS = SINGLE_SCAN_QUARTERS,
     LEAST_POINTS = 64,       /* of a scan that is quartered */
@@ -19,7 +19,7 @@ enum {
     FIRST_SEED = 1
 };
 
-/** What is to be simulated and quartered. */
+/** The scan to be simulated and quartered. */
 struct uncertainty_scan {
     struct record_heights body[2]; /* levelled; the second: the rough counterface; points 0: it is smooth */
     struct record_conditioning how;
@@ -28,21 +28,20 @@ struct uncertainty_scan {
     const struct threads *threads;
 };
 
-/** Standard errors of one model's answers, all of ln answer: of the quantities of an ensemble_band, as they are there.
- * NaN: not known. */
+/** Standard errors of the ln answers of one model; NaN: not known. */
 struct uncertainty {
     double ln_load[UNCERTAINTY_LOADS], s[QUANTITY_COUNT][UNCERTAINTY_LOADS];
     size_t loads;
 };
 
-/** Does it say anything of a model: unasked of the one that the summary speaks of, listed of all. */
+/** Is a model's uncertainty computed? By default that of the leading model alone, if listed that of all. */
 static bool uncertainty_holds(const struct plan *plan, size_t model)
 {
     return plan_runs_model(plan, model) && !model_rows[model]->uses_map &&
            (plan->all_uncertain || model == plan_leading_model(plan));
 }
 
-/** First, middle (where the summary stands) and last of the task's loads, each once; how many. */
+/** First, operating and last load of the task, each once; returns how many. */
 static size_t record_loads(double load[UNCERTAINTY_LOADS], const struct model_task *task)
 {
     size_t at[UNCERTAINTY_LOADS] = {0, model_task_operating(task), task->load_count - 1}, count = 0;
@@ -52,7 +51,7 @@ static size_t record_loads(double load[UNCERTAINTY_LOADS], const struct model_ta
     return count;
 }
 
-/** ln answers of all members at load i of a list, NaN of those that have none. */
+/** ln answers of all members at load i; NaN: none. */
 static void answers_of(double *out, size_t all, const struct ensemble_curves *curves, enum quantity shown, size_t i,
                        double load)
 {
@@ -64,7 +63,7 @@ static void answers_of(double *out, size_t all, const struct ensemble_curves *cu
     }
 }
 
-/** Records of a scan, and its quarters. */
+/** Simulated records and quarters of a scan. */
 struct simulated {
     struct ensemble records, quarters;
     struct strips strips; /* of the quarters */
@@ -94,8 +93,8 @@ static enum status_code add_quarters(struct simulated *out, const struct record_
     return status->code;
 }
 
-/** Means of so many heights next to each other that RECORD_POINTS are left at most, malloc'ed; NULL: out of memory.
- * Records scatter by their long waves: intervals of scans of 64 000 and of 10^6 heights stay within 0.5 %. */
+/** Averages neighbouring heights so that at most RECORD_POINTS are left, malloc'ed; NULL: out of memory. The long waves
+ * make records scatter: for scans of 64 000 and 10^6 heights the intervals change by less than 0.5 %. */
 static double *thin(struct record_heights *out, const struct record_heights *body)
 {
     size_t each = 1 + body->points / (RECORD_POINTS + 1);
@@ -134,7 +133,7 @@ static enum status_code add_records(struct simulated *out, const struct record_h
     return rc;
 }
 
-/** Both bodies, the first pressed against the second. */
+/** Simulates both bodies, pressed against each other. */
 static enum status_code simulate(struct simulated out[2], const struct uncertainty_scan *scan, struct status *status)
 {
     size_t bodies = scan->body[1].points > 0 ? 2 : 1;
@@ -200,8 +199,8 @@ static enum status_code find_errors(struct uncertainty *out, const struct uncert
     return rc;
 }
 
-/** How far another place may be off a point of the curve of a scan of rms height sigma_m: without the model's own error
- * (ensemble_settle()). */
+/** How much another place on the surface may differ from this point of the curve, without the error of the model
+ * (ensemble_settle()); sigma_m: rms height of the scan. */
 static struct estimate estimate_at(const struct uncertainty *uncertainty, const struct model_row *model,
                                    enum quantity quantity, const struct contact_point *point, double sigma_m)
 {
@@ -219,7 +218,15 @@ static struct estimate estimate_at(const struct uncertainty *uncertainty, const 
                              SINGLE_SCAN_DEGREES);
 }
 
-/** The estimates of model `m` where the summary stands, and its band where one is wanted, by these errors. */
+/** Puts the estimates at one load into the band. */
+static void put_band(struct ensemble_band *band, const struct estimate own[QUANTITY_COUNT])
+{
+    for (int q = 0; q < QUANTITY_COUNT; q++)
+        for (int side = 0; side < 2; side++)
+            band->mean[q][side] = estimate_end(&own[q], side);
+}
+
+/** The estimates of model `m` at the operating load, and its band where one is wanted, from these errors. */
 static enum status_code put_errors(struct surface_record *record, size_t m, const struct uncertainty *errors,
                                    bool banded, const struct uncertainty_scan *scan, struct status *status)
 {
@@ -234,14 +241,13 @@ static enum status_code put_errors(struct surface_record *record, size_t m, cons
     for (size_t i = banded ? 0 : model_task_operating(task); i < curve->count; i++) {
         const struct contact_point *point = &curve->points[i];
         if (i == task->load_count || point->value[QUANTITY_LOAD] != task->loads[i])
-            break; /* a statistical curve closes at a load of its own */
+            break; /* a statistical curve ends at its own full load */
         struct estimate own[QUANTITY_COUNT];
         for (int q = 0; q < QUANTITY_COUNT; q++)
             own[q] = estimate_at(errors, model_rows[m], (enum quantity)q, point, record->summary.asperities.sigma_m);
         ensemble_settle(own, point, model_rows[m], scan->joint, reach);
-        for (int q = 0; q < QUANTITY_COUNT && banded; q++)
-            for (int side = 0; side < 2; side++)
-                record->bands[m][i].mean[q][side] = estimate_end(&own[q], side);
+        if (banded)
+            put_band(&record->bands[m][i], own);
         if (i == model_task_operating(task))
             memcpy(estimates, own, sizeof own);
         if (!banded)
@@ -275,7 +281,7 @@ enum status_code uncertainty_run(struct surface_record *record, const struct sur
         (void)status_fail(status, rc, "%s", problem.message);
     for (size_t m = 0; m < model_count && rc == STATUS_OK; m++)
         if (record->curves[m].exists && !model_rows[m]->uses_map) {
-            const bool own = uncertainty_holds(asked->plan, m); /* else as the leading model's answers scatter */
+            const bool own = uncertainty_holds(asked->plan, m); /* else that of the leading model */
             rc = put_errors(record, m, &all[own ? m : plan_leading_model(asked->plan)], own, &scan, status);
         }
     free(all);
@@ -283,12 +289,12 @@ enum status_code uncertainty_run(struct surface_record *record, const struct sur
     return rc == STATUS_SCAN ? STATUS_OK : rc; /* no records of this one */
 }
 
-enum { MAP_DEGREES = 4 /* of freedom of its standard errors: they are of four quarters, about */ };
+enum { MAP_DEGREES = 4 /* of freedom, about, of standard errors from four quarters */ };
 
 enum status_code uncertainty_of_map(struct surface_record *record, size_t m, const struct model_task *task,
                                     const struct joint_task *joint, struct status *status)
 {
-    static const double carried[] = {0.02, 0.015, 0.033}; /* rms of ln between the loads solved: eight synthetic maps */
+    static const double carried[] = {0.02, 0.015, 0.033}; /* rms of ln between solved loads, eight synthetic maps */
     struct estimate estimates[CURVE_ESTIMATES];
     const struct model_curve *curve = &record->curves[m];
     for (int k = 0; k < CURVE_ESTIMATES; k++)
@@ -313,9 +319,7 @@ enum status_code uncertainty_of_map(struct surface_record *record, size_t m, con
             own[q].bound[1] = q == QUANTITY_AREA;
         }
         ensemble_hold(own, point, joint);
-        for (int q = 0; q < QUANTITY_COUNT; q++)
-            for (int side = 0; side < 2; side++)
-                record->bands[m][i].mean[q][side] = estimate_end(&own[q], side);
+        put_band(&record->bands[m][i], own);
         if (i == model_task_operating(task))
             memcpy(estimates, own, sizeof own);
     }

@@ -60,7 +60,6 @@ struct asperity asperity_make(double radius_m, const struct material_pair *pair,
     /* P_c = (4/3)(R/E')²(C pi S_y/2)³ (4.34) */
     asperity.critical_load_N = 4.0 / 3 * radius_m * radius_m * modulus * contact_slope * contact_slope * contact_slope;
     asperity.area_exponent = 0.14 * exp(23 * pair->yield_strength_Pa / modulus);
-    asperity.yield_strength_Pa = pair->yield_strength_Pa;
     asperity.yield_coefficient = pair->yield_coefficient;
     return asperity;
 }

@@ -6,15 +6,14 @@
 #include "material/material.h"
 #include <stdbool.h>
 
-/** An asperity of radius R in a material, with what does not depend on the interference. */
+/** An asperity of radius R in a material: everything that does not depend on the interference. */
 struct asperity {
     double radius_m;
     double effective_modulus_Pa;
     double critical_interference_m; /* omega_c (4.31); INFINITY for the elastic law */
     double critical_load_N;         /* P_c (4.34) */
     double area_exponent;           /* B (4.35) */
-    double yield_strength_Pa;
-    double yield_coefficient; /* C */
+    double yield_coefficient;       /* C */
 };
 
 struct asperity_contact {
@@ -23,7 +22,7 @@ struct asperity_contact {
     double radius_m; /* of the contact spot: sqrt(D R omega) (4.45) */
 };
 
-/** How one asperity deforms; one row each. */
+/** A law of how one asperity deforms. */
 struct asperity_model {
     bool plastic;
     /** Contact at interference omega >= 0 [m]. */
@@ -33,10 +32,8 @@ struct asperity_model {
 enum asperity_model_id { ASPERITY_HERTZ, ASPERITY_JG, ASPERITY_MODEL_COUNT };
 extern const struct asperity_model asperity_models[ASPERITY_MODEL_COUNT];
 
-/** Interference over omega_c up to which the elastic-plastic law is Hertz's (4.32). */
-extern const double asperity_yield_onset;
-/** a/R up to which the elastic-plastic law was fitted: 0.41. */
-extern const double asperity_fitted_radius_ratio;
+extern const double asperity_yield_onset;         /* 1.9: omega/omega_c up to which JG is Hertz's law (4.32) */
+extern const double asperity_fitted_radius_ratio; /* 0.41: a/R up to which JG was fitted */
 
 /** An asperity of radius R for `law`: omega_c (4.31), P_c (4.34), B (4.35) of e_y (4.36). */
 struct asperity asperity_make(double radius_m, const struct material_pair *pair, enum asperity_model_id law);

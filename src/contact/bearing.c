@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/** l_b of a surface whose profiles rise through its height `crossings_per_m` times; where never, one of no end. */
+/** l_b where profiles rise through a height `crossings_per_m` times per metre; INFINITY where they never do. */
 static double length_of(double area_ratio, double crossings_per_m)
 {
     return crossings_per_m > 0 ? pow(1 - sqrt(area_ratio), 1.5) / (2 * crossings_per_m) : INFINITY;
@@ -23,22 +23,17 @@ struct bearing_at bearing_gaussian(double area_ratio, double m0_m2, double m2)
 
 enum {
     LEAST_CROSSINGS = 6,
-    TURN = 8 /* nodes to where the odds A/(1-A) are twice as large */
+    TURN = 8 /* nodes per doubling of the odds A/(1-A) */
 };
 
-/** Odds at node k of `nodes`, even about 1. */
-static double odds_at(size_t k, size_t nodes)
-{
-    return exp2(((double)k - (double)(nodes / 2)) / TURN);
-}
-
+/** Area ratio at node k: the odds A/(1-A) are 1 at the middle node. */
 static double share_at(size_t k, size_t nodes)
 {
-    double odds = odds_at(k, nodes);
+    double odds = exp2(((double)k - (double)(nodes / 2)) / TURN);
     return odds / (1 + odds);
 }
 
-/** Where in the ordered heights the one is that a share of the surface exceeds. */
+/** Index, with its fraction, of the height that a share of the surface exceeds. */
 static double place_of(double area_ratio, const struct bearing *bearing)
 {
     double n = (double)bearing->count;
@@ -52,8 +47,8 @@ static double height_at(double area_ratio, const struct bearing *bearing)
     return bearing->height_m[above] + (place - (double)above) * (bearing->height_m[next] - bearing->height_m[above]);
 }
 
-/** At the heights of `nodes` shares, highest first, the integral from the lowest up of how many times profiles rise
- * through a height: from a point where one begins to rise on by one more, from one where it ends by one less. */
+/** Integral of the number of upward crossings over height, from the lowest height to each level (highest first). A
+ * profile adds one crossing above each point where it starts to rise, and takes one away where it stops. */
 static void integrate_crossings(double *integral_m, const double *level_m, size_t nodes, const struct strip_rows *rows,
                                 double lowest_m, double *rising)
 {
@@ -85,8 +80,8 @@ static void integrate_crossings(double *integral_m, const double *level_m, size_
         integral_m[k] += rising[k] * level_m[k];
 }
 
-/** ln l_b at the nodes at whose heights there are crossings enough, never rising. Crossings are a mean over the heights
- * of half to twice the odds: those of one height alone go by whole numbers. */
+/** ln l_b at the nodes with enough crossings, made never to rise. Crossings are averaged over the heights from half to
+ * twice the odds, since at a single height their number is whole and changes in steps. */
 static void fill_lengths(struct bearing *out, const struct strip_rows *rows, double lowest_m, double *room)
 {
     size_t nodes = out->nodes, middle = nodes / 2, steps = rows->rows * (rows->points - !rows->periodic);
@@ -130,7 +125,7 @@ enum status_code bearing_make(struct bearing *out, const struct strip_rows *rows
     gsl_sort(out->height_m, 1, count);
     out->below_m[count] = 0;
     for (size_t i = count; i-- > 0;) {
-        out->height_m[i] = -out->height_m[i] - lowest_m; /* so that sums have no digits to lose near the lowest */
+        out->height_m[i] = -out->height_m[i] - lowest_m; /* relative to the lowest, so that sums keep their digits */
         out->below_m[i] = out->below_m[i + 1] + out->height_m[i];
     }
     fill_lengths(out, rows, lowest_m, room);
@@ -149,8 +144,8 @@ void bearing_free(struct bearing *bearing)
 static double gap_at(double area_ratio, const struct bearing *bearing)
 {
     size_t below = (size_t)place_of(area_ratio, bearing) + 1;
-    double points = (double)(bearing->count - below), all = (double)bearing->count;
-    return (points * height_at(area_ratio, bearing) - bearing->below_m[below]) / all;
+    double points = (double)(bearing->count - below);
+    return (points * height_at(area_ratio, bearing) - bearing->below_m[below]) / (double)bearing->count;
 }
 
 /** ln l_b between nodes. */
@@ -187,7 +182,7 @@ double bearing_area(double elastic_area_ratio, double load_over_hardness)
     return fmin(1, most * pow(1 + pow(share, 4), 0.25));
 }
 
-/** (a^-3 + b^-3)^(-1/3) of positive numbers, the smaller if one is without bound. */
+/** (a^-3 + b^-3)^(-1/3) of positive numbers; the smaller where the other is infinite. */
 static double in_parallel(double a, double b)
 {
     double least = fmin(a, b), share = least / fmax(a, b);

@@ -27,7 +27,7 @@ bool cmy_press(struct cmy_contact *out, const struct cmy *surface, double pressu
     return true;
 }
 
-/** Diagonal of the Vickers indentation of the area of a spot. */
+/** Diagonal of a Vickers indent with the area of a spot. */
 static double diagonal_m(const struct cmy *surface, double ratio)
 {
     struct cmy_contact contact;
@@ -46,7 +46,7 @@ double cmy_spot_hardness(const struct cmy *surface, double ratio, double c1_Pa, 
 
 double cmy_microhardness(const struct cmy *surface, double pressure_Pa, double c1_Pa, double c2)
 {
-    /* ratio = P/H(ratio) by bisection of its logarithm: ratio H(ratio) rises with the ratio, H falling more slowly */
+    /* bisects ln(P/H): ratio H(ratio) rises with the ratio, since H falls more slowly */
     double low = log(1e-300), high = log(0.5);
     if (!(exp(high) * cmy_spot_hardness(surface, exp(high), c1_Pa, c2) > pressure_Pa))
         return NAN;

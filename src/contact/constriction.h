@@ -7,19 +7,18 @@
 
 #include "material/material.h"
 
-/** What conducts: the two bodies together. Properties that are not known are NaN. */
+/** The two bodies together. Unknown properties are NaN. */
 struct constriction {
     double resistivity_ohm_m;     /* rho, mean of both sides */
     double conductivity_W_per_mK; /* k, harmonic mean of both sides */
     double knudsen_length_m;      /* (8/3pi) lambda_mfp, of both sides together */
 };
 
-/** Two materials: half the resistance on each side, each with its own mean free path, so that
- * lambda = (k/2)(lambda_1/k_1 + lambda_2/k_2). */
+/** Half the resistance is on each side, each with its own mean free path: lambda = (k/2)(lambda_1/k_1 + lambda_2/k_2).
+ */
 struct constriction constriction_make(const struct material_pair *pair);
 
-/** Psi = (1 - sqrt(area_ratio))^(3/2) (4.41; of all asperities together 4.44), from the area ratio and its complement.
- */
+/** Psi = (1 - sqrt(area_ratio))^(3/2) (4.41; of all asperities together 4.44). */
 double constriction_alleviation(double area_ratio, double area_complement);
 
 /** Sums over scales: sum Psi_i/(a_i n_i) [m] and sum Psi_i/(a_i² n_i) [1], n_i spots per nominal area. */
@@ -28,8 +27,8 @@ struct constriction_sum {
     double by_radius_squared;
 };
 
-/** Adds one scale: a_i = sqrt(A_i/(2 pi A_{i-1} f²)) (4.40), n_i = 2 f² A_{i-1}, in series with the others (4.42).
- * `area_ratio` is A_i/A_{i-1}, `area_complement` 1 less it without cancellation, `area_above` A_{i-1}/A_n. */
+/** Adds one scale in series (4.42): a_i = sqrt(A_i/(2 pi A_{i-1} f²)) (4.40), n_i = 2 f² A_{i-1}. `area_ratio` is
+ * A_i/A_{i-1}, `area_complement` 1 - A_i/A_{i-1} without cancellation, `area_above` A_{i-1}/A_n. */
 void constriction_add_scale(struct constriction_sum *sum, double area_ratio, double area_complement,
                             double frequency_per_m, double area_above);
 

@@ -12,8 +12,7 @@ const struct convergence_sweep_row convergence_sweeps[CONVERGENCE_SWEEP_COUNT] =
     [CONVERGENCE_GAMMA] = {"gamma", 9, {0, 0.25, 0.5, 0.75, 1, 1.25, 1.5, 1.75, 2}},
 };
 
-/** Presses a scale that is not kept. At p* and above it is closed whether it yields or not (p_p <= p*), so that nothing
- * else need be known of it. */
+/** One scale pressed once. At p* and above it is closed whether it yields or not (p_p <= p*). */
 static struct sinusoid_cell press(double amplitude_m, double frequency_per_m, const struct material_pair *pair,
                                   bool plastic, double pressure_Pa)
 {
@@ -32,8 +31,7 @@ void convergence_areas(double *area_ratio, const struct convergence_law *law, co
     for (size_t i = 0; i < law->scales; i++) {
         double frequency = (double)(i + 1) / law->length_m;
         double amplitude_m = law->alpha * pow(1 / frequency, law->gamma);
-        struct sinusoid_cell cell = press(amplitude_m, frequency, pair, plastic, nominal_Pa / area);
-        area *= cell.area_ratio;
+        area *= press(amplitude_m, frequency, pair, plastic, nominal_Pa / area).area_ratio;
         area_ratio[i] = area;
     }
     *evaluations += law->scales;
@@ -46,8 +44,7 @@ struct convergence_tail convergence_tail(const struct spectrum *spectrum, size_t
     for (size_t i = count; i-- > 0 && (double)(i + 1) * half_decade >= (double)count;) {
         if (!(spectrum->amplitude_m[i] > 0))
             continue;
-        double x = log((double)count / (double)(i + 1)),
-               y = log(spectrum->amplitude_m[i]); /* x: of lambda over the shortest */
+        double x = log((double)count / (double)(i + 1)), y = log(spectrum->amplitude_m[i]); /* lambda/shortest_m */
         n += 1;
         sx += x;
         sy += y;
@@ -90,9 +87,8 @@ struct convergence_extension convergence_extend(const struct spectrum *spectrum,
         /* On a rising law every scale is soon just short of complete: d ln p/dn = (3/2pi)(1 - p/p*) keeps p within
          * (2pi/3)(1-gamma)/n of p*, so the last scale's complete pressure gives the area without visiting the rest. */
         if (rising && n > 1000 && cell.area_complement < 1e-3) {
-            double last_m = convergence_atom_m;
-            struct sinusoid_scale scale =
-                sinusoid_scale(convergence_tail_amplitude(tail, last_m), 1 / last_m, pair, plastic);
+            const double last_m = convergence_atom_m, amplitude = convergence_tail_amplitude(tail, last_m);
+            struct sinusoid_scale scale = sinusoid_scale(amplitude, 1 / last_m, pair, plastic);
             out.area_extended = fmin(out.area_extended, nominal_Pa / sinusoid_full_area_pressure(&scale));
             break;
         }

@@ -18,8 +18,8 @@ static const double knot_constriction[KNOTS] = {-0.604, -0.469, -0.384, -0.336, 
 /** d ln c/d logit A below the first knot and above the last. */
 static const double slope_below = 0.115, slope_above = 0.13;
 
-static const double step = 0.2; /* in logit A, of the integral */
-static const double reach = 8;  /* in logit A beyond the largest area: from there on the integrand falls as a power */
+static const double step = 0.2; /* of the integral, in logit A */
+static const double reach = 8; /* in logit A beyond the largest area: from there on the integrand is a power of 1 - A */
 
 /** Slope at knot k of the monotone cubic through (x, y), 0 where the data turn (Fritsch and Butland, SIAM J. Sci. Stat.
  * Comput. 5 (1984) 300); at an end that of the parabola through three, limited. */
@@ -39,7 +39,7 @@ static double slope_at(size_t k, const double *x, const double *y)
     return d[0] * d[1] < 0 && fabs(slope) > 3 * fabs(d[own]) ? 3 * d[own] : slope;
 }
 
-/** Both cubics, made once in a process: logit A of the knots, and the slopes there. */
+/** Both cubics, made once per process: logit A of the knots, and the slopes there. */
 static struct {
     double place[KNOTS], load_slope[KNOTS], constriction_slope[KNOTS];
 } cubics;
@@ -86,7 +86,7 @@ double corrected_persson_load(double area_ratio, double m2)
 
 double corrected_persson_area(double load, double m2)
 {
-    double before = 0, area = 0.5; /* which moves the right side by a third as much */
+    double before = 0, area = 0.5; /* a change of A changes the right side by a third of it */
     for (int i = 0; i < 100 && area < 1 && fabs(area - before) > 1e-15 * area; i++) {
         before = area;
         double eased = m2 * (persson_energy_factor + (1 - persson_energy_factor) * area);
@@ -95,7 +95,7 @@ double corrected_persson_area(double load, double m2)
     return area;
 }
 
-/** Where the integral stands. */
+/** A point of the integral. */
 struct place {
     double ln_load, constriction_m, product_m; /* ln p, l, l p */
 };
@@ -108,7 +108,7 @@ static struct place place_at(double area_ratio, const struct persson *persson)
     return (struct place){log(load) + ln.load, length_m, length_m * load * exp(ln.load)};
 }
 
-/** int l p d ln p by the parabola through three places (Simpson's rule where they are even). */
+/** int l p d ln p by the parabola through three points (Simpson's rule where they are even). */
 static double between(const struct place *a, const struct place *b, const struct place *c)
 {
     double first = b->ln_load - a->ln_load, second = c->ln_load - b->ln_load, both = first + second;
@@ -126,13 +126,13 @@ void corrected_persson_curve(struct corrected_persson_point *out, const double *
         return;
     double x = logit(corrected_persson_largest_area) + reach;
     struct place above = place_at(logistic(x), persson), below = place_at(logistic(x - step), persson);
-    /* l p falls as a power of 1 - A, and p does not */
+    /* beyond: l p is a power of 1 - A while p hardly changes */
     double sum_m =
         (above.product_m + below.product_m) * (above.ln_load - below.ln_load) / log(below.product_m / above.product_m);
-    for (size_t i = count + 1; i-- > 0;) { /* first to the last knot, where the slope of c changes */
+    for (size_t i = count + 1; i-- > 0;) { /* down to the last knot first, where the slope of c changes */
         double area = i == count ? knot_area[KNOTS - 1] : area_ratio[i], to = logit(area);
         double steps = fmax(1, ceil((x - to) / step)), width = (x - to) / steps;
-        for (double k = 1; k <= steps && fabs(x - to) > 1e-9; k++) { /* an area at the knot is there already */
+        for (double k = 1; k <= steps && fabs(x - to) > 1e-9; k++) { /* unless the area is the knot itself */
             struct place middle = place_at(logistic(x - (k - 0.5) * width), persson),
                          here = place_at(k < steps ? logistic(x - k * width) : area, persson);
             sum_m += 2 * between(&here, &middle, &above);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Persson's theory corrected at equal area: what direct solutions of 456 Gaussian surfaces have that the theory has not
- * is one function of the share in contact, whatever the spectrum (equations: corrected Persson). */
+/* Persson's theory corrected at equal area: over direct solutions of 456 Gaussian surfaces the theory's error depends
+ * on the area ratio alone, whatever the spectrum (equations: corrected Persson). */
 #ifndef CONTACT_CORRECTED_PERSSON_H
 #define CONTACT_CORRECTED_PERSSON_H
 
@@ -12,7 +12,7 @@ static inline double logit(double share)
     return log(share) - log1p(-share);
 }
 
-/** Its inverse. */
+/** Inverse of logit(). */
 static inline double logistic(double logit)
 {
     return 1 / (1 + exp(-logit));
@@ -28,19 +28,18 @@ struct corrected_persson_factors {
 };
 struct corrected_persson_factors corrected_persson_factors(double area_ratio);
 
-/** p = P/(A_n E') at which A/A_n (0...1, exclusive) of a surface touches whose profile has the mean-square slope m2. */
+/** p = P/(A_n E') at an area ratio (0...1, exclusive) of a surface of mean-square profile slope m2. */
 double corrected_persson_load(double area_ratio, double m2);
-/** Its inverse, A = erf(p/(s sqrt(m2 (g + (1-g) A)))), by iteration; without a meaning above the largest area. */
+/** Its inverse, A = erf(p/(s sqrt(m2 (g + (1-g) A)))), by iteration; meaningless above the largest area. */
 double corrected_persson_area(double load, double m2);
 
-/** What a share in contact goes with. */
 struct corrected_persson_point {
     double constriction_m; /* l(A): R A_n = (rho_1 + rho_2) l */
     double separation_m;   /* 2 int_A^1 l dp (Barber 2003, Proc. R. Soc. A 459, 53) */
 };
 
-/** At `count` ascending area_ratio, above 0 and up to the largest; the integral goes from each to the next in steps.
- * Relative error of the separation below 1e-4 (tests); with_separation false: NaN, for a tenth of the time. */
+/** At `count` ascending area ratios above 0 and up to the largest. Relative error of the separation below 1e-4 (tests);
+ * NaN if not with_separation, in a tenth of the time. */
 void corrected_persson_curve(struct corrected_persson_point *out, const double *area_ratio, size_t count,
                              const struct persson *persson, bool with_separation);
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The effects a scene can call for. One row each: which material properties and effects it needs. */
+/* The effects that a scene can ask for: one row each. */
 #ifndef CONTACT_EFFECT_H
 #define CONTACT_EFFECT_H
 
@@ -32,10 +32,10 @@ struct effect_row {
     const char *name;          /* scene spelling */
     const char *properties[5]; /* material keys it needs besides E_Pa and nu, NULL-terminated */
     unsigned needs_effects;    /* effects it builds on (bits) */
-    const char *key;           /* of the scene, that calls for it, and without which it does not run; NULL: none */
-    bool adds;                 /* quantities of its own, and changes no other */
-    bool studies;              /* changes no number: it says how far they can be trusted */
-    bool only_listed;          /* nothing else calls for it: it runs where `effects` lists it */
+    const char *key;           /* scene key that asks for it and that it needs; NULL: none */
+    bool adds;                 /* adds quantities and changes no others */
+    bool studies;              /* changes no number, but says how far numbers can be trusted */
+    bool only_listed;          /* runs only where `effects` lists it */
 };
 
 extern const struct effect_row effect_rows[EFFECT_COUNT];

@@ -41,8 +41,8 @@ bool model_runs(size_t m, uint64_t models, unsigned effects)
            (!model_rows[m]->plastic || (effects & EFFECT_BIT(EFFECT_PLASTICITY)));
 }
 
-/** Is the quantity infinite at none of the points, and there where it is `needed`? */
-static bool is_finite(const struct contact_point *points, size_t count, enum quantity quantity, bool needed)
+/** Is the quantity finite at all points? NaN is allowed unless it is `needed`. */
+static bool is_finite(const struct contact_point *points, size_t count, int quantity, bool needed)
 {
     for (size_t i = 0; i < count; i++) {
         double value = points[i].value[quantity];
@@ -52,8 +52,8 @@ static bool is_finite(const struct contact_point *points, size_t count, enum qua
     return true;
 }
 
-/** k = -dP/d separation, by the separations at P exp(-h) and P exp(+h): P 2 sinh(h) over their difference. Empty where
- * the model has none on either side. */
+/** k = -dP/d separation from the separations at P exp(-h) and P exp(+h): 2 P sinh(h) over their difference. NaN where
+ * the model has no answer on one side. */
 static enum status_code add_stiffness(struct model_curve *curve, const struct model_row *row,
                                       const struct model_task *task, struct status *status)
 {
@@ -102,14 +102,12 @@ enum status_code model_run(struct model_curve *curve, const struct model_row *ro
         return status->code;
     if (task->evaluations)
         *task->evaluations += curve->evaluations;
-    /* a model that knows of no full contact says nothing of it */
     bool full = curve->exists && !(isnan(curve->full_load) && isnan(curve->full.value[QUANTITY_AREA]));
     unsigned always = task->wanted & row->quantities & ~row->may_be_empty & ~QUANTITY_BIT(QUANTITY_STIFFNESS);
     bool finite = true;
     for (int q = 0; q < QUANTITY_COUNT && finite; q++) {
         bool needed = always & QUANTITY_BIT(q);
-        finite = is_finite(curve->points, curve->count, (enum quantity)q, needed) &&
-                 (!full || is_finite(&curve->full, 1, (enum quantity)q, needed));
+        finite = is_finite(curve->points, curve->count, q, needed) && (!full || is_finite(&curve->full, 1, q, needed));
     }
     if (!finite) {
         curve->exists = false;
@@ -145,8 +143,8 @@ enum quantity model_shown(const struct model_row *row, enum quantity quantity)
 
 struct scans_reach model_task_reach(const struct model_task *task)
 {
-    return (struct scans_reach){task->rows && !task->rows->periodic ? spectrum_longest_waves(task->spectrum) : 0,
-                                task->two_directions};
+    bool open = task->rows && !task->rows->periodic;
+    return (struct scans_reach){open ? spectrum_longest_waves(task->spectrum) : 0, task->two_directions};
 }
 
 double model_elastic_share(const struct model_row *row, const struct contact_point *point, double load_over_hardness)

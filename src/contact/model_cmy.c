@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Cooper, Mikic and Yovanovich's contact as a model: the textbook's answer, plastic, by truncation. */
+/* The textbook model of Cooper, Mikic and Yovanovich: plastic contact by truncation. */
 #include "contact/cmy.h"
 #include "contact/model.h"
 
 #include <math.h>
 
-/** The surface of a task; false: it has no slope, or the hardness is not known. */
+/** Sigma and slope of a task; false: no slope, or no hardness. */
 static bool surface_of(struct cmy *out, const struct model_task *task)
 {
     *out = task->rough;
@@ -14,7 +14,8 @@ static bool surface_of(struct cmy *out, const struct model_task *task)
     return out->sigma_m > 0 && out->slope > 0 && task->hardness_Pa > 0;
 }
 
-/* By the one hardness, or by that of the spots' own size; what the task raises it by (sensitivity) raises either. */
+/* With the one hardness given, or with that of the size of the spots. If the task raises the hardness (sensitivity),
+ * both rise. */
 static double pressure_over_hardness(const struct cmy *surface, const struct model_task *task, size_t i)
 {
     const struct material_pair *pair = task->pair;
@@ -25,8 +26,8 @@ static double pressure_over_hardness(const struct cmy *surface, const struct mod
     return task->loads[i] * (pair->effective_modulus_Pa / hardness_Pa);
 }
 
-/* The curve ends at P = H; there is no point of full contact. The separation is empty where the other's plane would lie
- * below the mean plane: that is no gap. */
+/* The curve ends at P = H, without a point of full contact. Where the flat lies below the mean plane there is no gap:
+ * the separation is NaN. */
 static enum status_code run(struct model_curve *curve, const struct model_row *row, const struct model_task *task,
                             struct status *status)
 {

@@ -1,49 +1,33 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* How far each model is from the contact of a surface of any heights: all that is said of a model's error comes from
- * this table. */
+/* The error of each model on surfaces of any heights. Everything the program says of a model's error reads this table.
+ */
 #include "contact/model.h"
 
 #include <math.h>
 
-#define ERROR(name, ...) ROW(name, false, __VA_ARGS__)
-#define ROW(name, two_directions, ...)                                                                                 \
-    {                                                                                                                  \
-        &model_##name, two_directions,                                                                                 \
-        {                                                                                                              \
-            __VA_ARGS__                                                                                                \
-        }                                                                                                              \
-    }
-#define DECLARE(name) extern const struct model_row model_##name;
-DECLARE(multiscale_elastic)
-DECLARE(multiscale_plastic)
-DECLARE(gw)
-DECLARE(jg)
-DECLARE(corrected_persson)
-DECLARE(corrected_persson_plastic)
-DECLARE(strip)
-DECLARE(strip_plastic)
-DECLARE(cmy)
+extern const struct model_row model_multiscale_elastic, model_multiscale_plastic, model_gw, model_jg,
+    model_corrected_persson, model_corrected_persson_plastic, model_strip, model_strip_plastic, model_cmy;
 
-/* Standard deviations of ln(model/direct solution) of area, gap and resistance. Elastic models on elastic contact,
- * those with a hardness on contact that yields: of five scans of four longest waves on surfaces of eight laws of
- * heights, as docs/validation.md prints them ("other heights"; a test compares). Of strips those of 18 measured maps,
- * which are larger; of two directions, too (12 scans each): on pieces of five other maps .26 .39 .37, on synthetic ones
- * of Peklenik's ratio 1, 3 and 10, four scans each, .18 .20 .28, .19 .24 .30 and .22 .29 .35. With a hardness a second
- * direction makes .33 .44 .39 of .42 .49 .38 (gap) there, .40 .47 .43 of .43 .52 .44 (resistance), and changes
- * nothing on the pieces; about half of that is taken off. A map's own direct solution has its grid's error alone, and
- * is not in the table. */
+/* Standard deviations of ln(model/direct solution) of area, gap and resistance; elastic models against elastic
+ * contact, those with a hardness against contact that yields. From five scans of four longest waves on surfaces of
+ * eight height distributions ("other heights" in docs/validation.md; a test compares). Strips: from 18 measured maps,
+ * where their errors are larger. Strips with two directions (12 scans each): from 11 pieces of five other maps, .26 .39
+ * .37; synthetic maps of Peklenik's ratio 1, 3 and 10 give .18 .20 .28, .19 .24 .30 and .22 .29 .35 (four scans each).
+ * With a hardness, a second direction improves the synthetic gap from .42 .49 .38 to .33 .44 .39 and resistance from
+ * .43 .52 .44 to .40 .47 .43, but nothing on the pieces: half of that gain is taken. A direct solution has its grid's
+ * error alone and no row. */
 const struct model_error model_errors[] = {
-    ERROR(multiscale_elastic, 0.92, 2.57, 1.52),
-    ERROR(multiscale_plastic, 0.54, 2.50, 1.36),
-    ERROR(gw, 0.94, 1.85, 0.87),
-    ERROR(jg, 0.46, 0.84, 1.13),
-    ERROR(corrected_persson, 0.81, 0.53, 0.83),
-    ERROR(corrected_persson_plastic, 0.50, 0.60, 0.68),
-    ERROR(strip, 0.37, 0.48, 0.54),
-    ROW(strip, true, 0.28, 0.38, 0.42),
-    ERROR(strip_plastic, 0.11, 0.47, 0.50),
-    ROW(strip_plastic, true, 0.11, 0.45, 0.47),
-    ERROR(cmy, 0.61, 0.56, 0.87),
+    {&model_multiscale_elastic, false, {0.92, 2.57, 1.52}},
+    {&model_multiscale_plastic, false, {0.54, 2.50, 1.36}},
+    {&model_gw, false, {0.94, 1.85, 0.87}},
+    {&model_jg, false, {0.46, 0.84, 1.13}},
+    {&model_corrected_persson, false, {0.81, 0.53, 0.83}},
+    {&model_corrected_persson_plastic, false, {0.50, 0.60, 0.68}},
+    {&model_strip, false, {0.37, 0.48, 0.54}},
+    {&model_strip, true, {0.28, 0.38, 0.42}},
+    {&model_strip_plastic, false, {0.11, 0.47, 0.50}},
+    {&model_strip_plastic, true, {0.11, 0.45, 0.47}},
+    {&model_cmy, false, {0.61, 0.56, 0.87}},
 };
 const size_t model_error_count = sizeof model_errors / sizeof *model_errors;
 
@@ -54,7 +38,7 @@ double model_sd(const struct model_row *row, enum quantity quantity, bool two_di
     for (size_t i = 0; i < model_error_count; i++)
         if (model_errors[i].model == row && follows != FOLLOWS_NOTHING &&
             model_errors[i].two_directions <= two_directions)
-            sd = model_errors[i].ln_sd[follows - 1]; /* that of two stands behind that of one */
+            sd = model_errors[i].ln_sd[follows - 1]; /* the row of two directions comes second */
     return sd;
 }
 

@@ -4,8 +4,7 @@
 
 #include <math.h>
 
-/** Finds the first drop of |d ln R/d ln P|, by at least a quarter before it rises again; other curves get ever steeper.
- */
+/** Finds the first drop of |d ln R/d ln P| by at least a quarter; curves without a kink only get steeper. */
 static void find_kink(struct model_curve *curve, struct multiscale *stack, enum quantity resistance)
 {
     static const double fall = 1.25;
@@ -15,7 +14,7 @@ static void find_kink(struct model_curve *curve, struct multiscale *stack, enum 
         if (!(here[resistance] > 0 && next[resistance] > 0))
             return;
         double slope = -log(next[resistance] / here[resistance]) / log(next[QUANTITY_LOAD] / here[QUANTITY_LOAD]);
-        if (slope >= before) { /* rising: where it fell enough before, that was a kink */
+        if (slope >= before) { /* rises again: was the drop before it large enough? */
             if (steepest > fall * before && before > 0 &&
                 multiscale_closing(&curve->kink, stack, from, next[QUANTITY_LOAD]))
                 return;

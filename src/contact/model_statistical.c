@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The statistical models: asperities of one radius with Gaussian heights, by Hertz's law (GW) or Jackson and Green's
- * (JG) (thesis 4.19-4.38, 4.43-4.46, 4.54). */
+/* The statistical models: asperities of one radius with Gaussian heights, elastic (GW) or elastic-plastic (JG) (thesis
+ * 4.19-4.38, 4.43-4.46, 4.54). */
 #include "contact/multiscale.h"
 #include "contact/statistical.h"
 
@@ -22,7 +22,7 @@ static enum status_code run(struct model_curve *curve, const struct model_row *r
         return status->code;
     }
     curve->evaluations += model.panels.count;
-    double d = 3; /* a first guess; the solution of one load starts the next */
+    double d = 3; /* first guess; then the last solution */
     for (size_t i = 0; i < task->load_count; i++) {
         curve->evaluations++;
         if (statistical_solve(&curve->points[curve->count], &model, task->loads[i], &d))
@@ -59,7 +59,7 @@ static enum status_code spots(struct contact_spots *out, const struct model_row 
 }
 
 enum { COMPUTES = QUANTITY_USUAL | QUANTITY_BIT(QUANTITY_ADJUSTED) | QUANTITY_RESISTANCES };
-#define TOUCHING_AREA 0.1 /* A/A_n up to which asperities may be taken as apart */
+#define TOUCHING_AREA 0.1 /* A/A_n up to which asperities are apart */
 
 const struct model_row model_gw = {
     .name = "gw",

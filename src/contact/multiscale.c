@@ -4,8 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-/** The load P/(A_n E') whose pressure is at least `pressure_Pa` through rounding: an ulp short of it contact is not
- * full. */
+/** P/(A_n E') at a pressure, rounded up: one ulp below, contact is not full. */
 static double load_reaching(double pressure_Pa, double effective_modulus_Pa)
 {
     double load = pressure_Pa / effective_modulus_Pa;
@@ -28,7 +27,6 @@ static struct sinusoid_scale make_scale(const struct multiscale *stack, size_t i
                           stack->plastic);
 }
 
-/** The scale of index i < count. */
 static const struct sinusoid_scale *scale_at(struct multiscale *stack, size_t i)
 {
     struct sinusoid_scale *scale = &stack->scales[i];
@@ -37,8 +35,8 @@ static const struct sinusoid_scale *scale_at(struct multiscale *stack, size_t i)
     return scale;
 }
 
-/** The first scale from index i on that `pressure_Pa` may leave open. Pressures rise from scale to scale, so that a
- * block which closes below this one is passed over. */
+/** The first scale from index i on that may be open at `pressure_Pa`. The pressure rises from scale to scale, so blocks
+ * that close below it are skipped. */
 static size_t next_open(const struct multiscale *stack, size_t i, double pressure_Pa)
 {
     double closed = pressure_Pa * stack->closed_steepness_per_Pa;
@@ -51,8 +49,8 @@ static size_t next_open(const struct multiscale *stack, size_t i, double pressur
     return i < stack->count ? i : stack->count;
 }
 
-/** Fills block_closed_Pa; returns the highest pressure at which the steepest scale of a block closes. The steepest
- * closes last, but below the ordered pressure. */
+/** Fills block_closed_Pa; returns the highest closing pressure of the blocks' steepest scales. Above the ordered
+ * pressure the steepest scale closes last. */
 static double find_blocks(struct multiscale *stack)
 {
     double ordered_Pa = stack->plastic ? sinusoid_ordered_pressure(&stack->pair) : 0, most_Pa = 0;
@@ -61,7 +59,8 @@ static double find_blocks(struct multiscale *stack)
         for (size_t i = first; i < stack->count && i < first + MULTISCALE_BLOCK; i++)
             if (steepness(stack, i) > steepness(stack, steepest))
                 steepest = i;
-        const struct sinusoid_scale scale = make_scale(stack, steepest); /* not kept: a page of memory a block */
+        const struct sinusoid_scale scale =
+            make_scale(stack, steepest); /* not stored: saves a page of memory a block */
         double closed_Pa = sinusoid_closed_pressure(&scale);
         stack->block_closed_Pa[first / MULTISCALE_BLOCK] =
             fmin(scale.full_pressure_Pa, fmax(closed_Pa, ordered_Pa)) * (1 + rounding);
@@ -70,7 +69,7 @@ static double find_blocks(struct multiscale *stack)
     return most_Pa;
 }
 
-/** Fills full_load and closed_load. One of the scales closes at `closed_Pa` or above. */
+/** Fills full_load and closed_load; at least one scale closes at `closed_Pa` or above. */
 static void find_loads(struct multiscale *stack, double closed_Pa)
 {
     size_t last = 0;

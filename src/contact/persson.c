@@ -14,8 +14,8 @@ double persson_erf_inverse(double y)
 {
     if (y > 0.5) /* l = Phi^-1(1 - (1-y)/2), erf(l/sqrt2) = y */
         return gsl_cdf_ugaussian_Qinv((1 - y) / 2) / M_SQRT2;
-    double x = gsl_cdf_ugaussian_Pinv(0.5 + y / 2) / M_SQRT2; /* 1/2 + y/2 has lost digits of y: */
-    return x - (erf(x) - y) * exp(x * x) / M_2_SQRTPI;        /* one step of Newton's finds them */
+    double x = gsl_cdf_ugaussian_Pinv(0.5 + y / 2) / M_SQRT2; /* 1/2 + y/2 loses digits of y; */
+    return x - (erf(x) - y) * exp(x * x) / M_2_SQRTPI;        /* a Newton step restores them */
 }
 
 double persson_load(double area_ratio, double m2)
@@ -24,18 +24,18 @@ double persson_load(double area_ratio, double m2)
            sqrt(m2 * (persson_energy_factor + (1 - persson_energy_factor) * area_ratio));
 }
 
-/** x exp(x²) I_2(x) as Chebyshev series on panels that are even in sqrt(x), made once in a process. */
+/** x exp(x²) I_2(x) as Chebyshev series on panels of equal width in sqrt(x), made once per process. */
 enum { PANELS = 11, ORDER = 12, RULE = 64 };
-static const double integral_end = 9; /* exp(-81) is nothing beside the steepest waves, of which x < 5 */
+static const double integral_end = 9; /* exp(-81) is negligible beside the steepest waves, where x < 5 */
 static double coefficient[PANELS][ORDER + 1], value[PANELS][ORDER + 1];
 static gsl_cheb_series panel[PANELS];
 static gsl_integration_glfixed_table *rule;
 
-/** Distance of the nodes in ln y, and by how much rings that are shared out together may differ in y². */
+/** Spacing of the nodes in ln y; relative difference in y² up to which rings are divided together. */
 static const double distance = 0.1, together = 1e-5;
 
-/** I_2 of ln x as Chebyshev series on cells as wide as the nodes are apart, so that at one load all nodes are at the
- * same place of theirs: a node takes an eighth of the time that its integral would. */
+/** I_2 of ln x as Chebyshev series on cells as wide as the spacing of the nodes, so that at one load all nodes lie at
+ * the same place in their cells: eight times faster than an integral at each. */
 enum { CELLS = 240, DEGREE = 9 };
 static double cell[CELLS][DEGREE + 1];
 static double cells_begin; /* ln x */
@@ -148,10 +148,9 @@ enum status_code persson_make(struct persson *out, const struct spectrum *spectr
     }
     for (size_t k = 0; k < out->count; k++)
         out->node[k].slope = bottom * exp(distance * ((double)k - SHARES / 2));
-    if (lost_m2 > 0) /* 1/q of half the lowest wave number is 2/q */
+    if (lost_m2 > 0) /* half the lowest wave number, q/2: 2/q less 1/q */
         share_out(out, bottom, square, 1 / wave_number(spectrum, 0) / sqrt(M_PI));
-    double start = 0, beyond = 0,
-           weight_m = 0; /* of the rings not shared out yet: the first one's Y², and what is more */
+    double start = 0, beyond = 0, weight_m = 0; /* of the rings not divided yet: Y² of the first, and the excess */
     for (size_t i = first; i < last; i++) {
         double q = wave_number(spectrum, i), omega = q / M_SQRT2;
         double next = i + 1 < last ? 1 / wave_number(spectrum, i + 1) : 0, own_m = (1 / q - next) / sqrt(M_PI);

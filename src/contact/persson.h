@@ -9,19 +9,19 @@
 #include "base/status.h"
 #include "spectrum/spectrum.h"
 
-/** g, 0.45 (Almqvist et al. 2011). Others have 0.42 and 5/9. */
+/** g = 0.45 (Almqvist et al. 2011); others give 0.42 and 5/9. */
 extern const double persson_energy_factor;
 
-/** p = P/(A_n E') at which A/A_n is area_ratio (0...1) of a surface whose profile has the mean-square slope m2:
- * erf^-1(A) sqrt(m2 (g + (1-g) A)). */
+/** p = P/(A_n E') at an area ratio (0...1) of a surface of mean-square profile slope m2: erf^-1(A) sqrt(m2 (g + (1-g)
+ * A)). */
 double persson_load(double area_ratio, double m2);
 
 /** erf^-1(y), 0 <= y <= 1, to rounding. */
 double persson_erf_inverse(double y);
 
 /** The waves of a surface: ring n has mean square height D_n²/2 at the wave number q_n = sqrt2 2 pi f_n, so that m0 and
- * m2 are the profile's, and Y_n² is the mean-square slope of its waves up to n. Each ring is shared out to nodes that
- * are evenly spaced in ln y. Owned: persson_free(). */
+ * m2 are the profile's; Y_n² is the mean-square slope of the waves up to n. Each ring is divided among nodes evenly
+ * spaced in ln y. Owned: persson_free(). */
 struct persson {
     double m0_m2, m2;
     size_t count;
@@ -30,12 +30,12 @@ struct persson {
     } * node;
 };
 
-/** Mean square height of the wave twice as long as a record that goes with its mean and tilt, two degrees of freedom:
- * the mean of its harmonics 1 ... 3. */
+/** Mean square height of the wave, twice as long as the record, that levelling takes out with mean and tilt: the mean
+ * of the harmonics 1 ... 3. */
 double persson_lost_wave(const struct spectrum *spectrum);
 
-/** Prepares the waves of `spectrum`, and one of mean square height lost_m2 (0: none) twice as long as the first. Error:
- * STATUS_MEMORY. */
+/** Prepares the waves of `spectrum` and that lost wave of mean square height lost_m2 (0: none). Error: STATUS_MEMORY.
+ */
 MUST_CHECK enum status_code persson_make(struct persson *out, const struct spectrum *spectrum, double lost_m2,
                                          struct status *status);
 void persson_free(struct persson *persson);

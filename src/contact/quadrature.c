@@ -9,23 +9,21 @@
 static const double inverse_sqrt_2pi = 0.39894228040143267794;
 enum { PANELS_MOST = 1024 };
 
-/** Number of Gauss-Legendre nodes a panel, calibrated so that every integral of tests/data meets the tolerance. */
+/** Gauss-Legendre nodes per panel: every integral of tests/data then meets the tolerance. */
 static size_t panel_order(double tolerance)
 {
-    double digits = -log10(tolerance);
-    return (size_t)fmin(20, fmax(4, ceil(digits) + 2));
+    return (size_t)fmin(20, fmax(4, ceil(-log10(tolerance)) + 2));
 }
 
-/** Largest u that counts at separation d: where the Gaussian over u > 0 has fallen by exp(-log_cut) from its largest
- * value. */
+/** Largest u that counts at separation d: there the Gaussian is exp(-log_cut) of its largest value over u > 0. */
 static double reach(double d, double log_cut)
 {
     return d > 0 ? 2 * log_cut / (d + sqrt(d * d + 2 * log_cut)) : sqrt(2 * log_cut) - d;
 }
 
-/** Adds borders in t = sqrt(u) from the last one up to `end`. A panel is at most 0.35 wide near zero (there the weight
- * is exp(-d t²), d up to 40), about 2 wide in u further out (the Gaussian's own width), and at most 1.2 times its
- * distance from the law's nearest singularity, `singular` below t = 0. */
+/** Adds borders in t = sqrt(u) up to `end`. A panel is at most 0.35 wide near zero (where the weight is exp(-d t²), d
+ * up to 40), about 2 wide in u further out (the width of the Gaussian), and at most 1.2 times its distance from the
+ * law's nearest singularity, `singular` below t = 0. */
 static size_t lay(double *border, size_t count, double end, double singular)
 {
     double start = border[count - 1];
@@ -37,8 +35,8 @@ static size_t lay(double *border, size_t count, double end, double singular)
     return count;
 }
 
-/** All borders from 0 to sqrt(last), with breaks where the law changes. Up to the first of them a = sqrt(R sigma_s) t,
- * so that a²/(a + knudsen length) has a pole at a = -(knudsen length); beyond, the law has fractional powers of u. */
+/** Borders from 0 to sqrt(last), with breaks where the law changes. Up to the first break a = sqrt(R sigma_s) t, so
+ * that a²/(a + knudsen length) has a pole at a = -(knudsen length); beyond it the law has fractional powers of u. */
 static size_t borders(double *border, const struct asperity *asperity, double sigma_s_m, double knudsen_length_m,
                       double last)
 {
@@ -100,11 +98,11 @@ enum status_code quadrature_make(struct quadrature *out, const struct quadrature
 
 void quadrature_free(struct quadrature *panels)
 {
-    free(panels->node); /* and what lies behind it */
+    free(panels->node); /* with the other arrays behind it */
     *panels = (struct quadrature){0};
 }
 
-/** Nodes range[0] ... range[1]-1: all that counts at d. */
+/** The nodes that count at d: range[0] ... range[1]-1. */
 static void find_range(size_t range[2], const struct quadrature *panels, double d)
 {
     double last = reach(d, panels->log_cut), first = -d - sqrt(2 * panels->log_cut);
@@ -116,7 +114,7 @@ static void find_range(size_t range[2], const struct quadrature *panels, double 
         range[1]++;
 }
 
-/** The factor exp(log_factor) that all sums are without: exp(-d²/2) for d > 0. */
+/** ln of the factor left out of all sums: exp(-d²/2) for d > 0. */
 static double log_factor_at(double d)
 {
     return d > 0 ? -d * d / 2 : 0;

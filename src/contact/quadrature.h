@@ -1,22 +1,22 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Gauss-Legendre panels for the statistical integrals: the asperity law is evaluated once at fixed interferences, so
- * that each separation costs one exponential a node and no law evaluation. */
+/* Gauss-Legendre panels for the statistical integrals. The asperity law is evaluated once at fixed interferences; a
+ * separation then costs one exponential per node. */
 #ifndef CONTACT_QUADRATURE_H
 #define CONTACT_QUADRATURE_H
 
 #include "contact/asperity.h"
 #include <stddef.h>
 
-/** What is integrated: one asperity's law over heights. */
+/** The integrand: an asperity law over a height distribution. */
 struct quadrature_law {
     const struct asperity *asperity;
     enum asperity_model_id law;
     double sigma_s_m;
-    double knudsen_length_m; /* 0: scale dependence is not asked for */
+    double knudsen_length_m; /* 0: no scale dependence */
 };
 
-/** Nodes in u = omega/sigma_s, ascending, each with quadrature weight times law, the 1/sqrt(2 pi) of the Gaussian
- * included. Owned: quadrature_free(). */
+/** Ascending nodes u = omega/sigma_s with quadrature weight times law, 1/sqrt(2 pi) of the Gaussian included. Owned:
+ * quadrature_free(). */
 struct quadrature {
     size_t count;
     double *node;                   /* u */
@@ -26,21 +26,19 @@ struct quadrature {
     double *radius_scale_dependent; /* weight * a²/(a + knudsen length) [m] */
     double beyond_fit;              /* u from which a/R > 0.41 */
     double radius_clamped;          /* u from which a/R is clamped to 1 */
-    double log_cut;                 /* terms exp(-log_cut) below the largest are left out */
+    double log_cut;                 /* terms below exp(-log_cut) of the largest are left out */
 };
 
-/** int law(sigma_s u) phi(u + d) du of each quantity over u > 0, all without the factor exp(log_factor). */
+/** int law(sigma_s u) phi(u + d) du over u > 0, without the factor exp(log_factor). */
 struct quadrature_sums {
     double area, load;
     double load_beyond_fit, load_radius_clamped; /* on asperities with a/R > 0.41, and > 1 */
-    double radius, radius_scale_dependent;
-    double log_factor;
+    double radius, radius_scale_dependent, log_factor;
 };
 
-/** For (4.25), (4.26), (4.43*), (4.46*) and (4.51) under the Gaussian of (4.23): lays panels that break where the law
- * changes (1.9 omega_c, a/R = 0.41, a/R = 1), in t = sqrt(u) so that the square root at u = 0 does no harm, wide enough
- * for d >= lowest_d (in sigma_s) and fine enough for `tolerance` (relative). One law evaluation a node. Errors:
- * STATUS_MEMORY; STATUS_MODEL when lowest_d is below about -2000. */
+/** Panels for (4.25), (4.26), (4.43*), (4.46*) and (4.51) under the Gaussian of (4.23), in t = sqrt(u) to remove the
+ * square root at u = 0, with breaks where the law changes (1.9 omega_c, a/R = 0.41, a/R = 1); for d >= lowest_d (in
+ * sigma_s), to a relative tolerance. Errors: STATUS_MEMORY; STATUS_MODEL when lowest_d is below about -2000. */
 MUST_CHECK enum status_code quadrature_make(struct quadrature *out, const struct quadrature_law *law, double lowest_d,
                                             double tolerance, struct status *status);
 void quadrature_free(struct quadrature *panels);
@@ -48,13 +46,12 @@ void quadrature_free(struct quadrature *panels);
 /** All sums at separation d (in sigma_s) under the Gaussian of (4.23), d >= the lowest_d of quadrature_make(). */
 void quadrature_sum(struct quadrature_sums *out, const struct quadrature *panels, double d);
 
-/** sum_k law[k] u_k^j of the Gaussian at d, j = 0, 1, 2, as above without exp(*log_factor): what the derivatives of one
- * integral with respect to d are made of. `law` is panels->area or panels->load. */
+/** sum_k law[k] u_k^j of the Gaussian at d, j = 0, 1, 2, without exp(*log_factor): they give the derivatives of an
+ * integral with respect to d. `law` is panels->area or panels->load. */
 void quadrature_moments(double moment[3], double *log_factor, const struct quadrature *panels, const double *law,
                         double d);
 
-/** Mean radius over the area of contact, int a³ phi/int a² phi [m], at separation d (in sigma_s) as above; nothing else
- * is summed for it. */
+/** Mean spot radius over the area of contact, int a³ phi/int a² phi [m], at separation d (in sigma_s). */
 double quadrature_mean_radius(const struct quadrature *panels, double d);
 
 #endif

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a model says of a contact: one row a quantity, with all there is to know of it. Columns, charts, tables, targets
- * and comparisons walk over these rows; what a chart calls it stands in templates/words.txt by its name. */
+/* The quantities of a contact: one row each. Columns, charts, tables, targets and comparisons loop over these rows; the
+ * words of charts are in templates/words.txt, by the quantity's name. */
 #ifndef CONTACT_QUANTITY_H
 #define CONTACT_QUANTITY_H
 
 #include "contact/effect.h"
 #include "material/material.h"
 
-/** Of a contact at one load, SI. */
+/** Quantities of a contact at one load, SI. */
 enum quantity {
     QUANTITY_LOAD,       /* P/(A_n E') */
     QUANTITY_AREA,       /* A/A_n, 0...1 */
@@ -16,7 +16,7 @@ enum quantity {
     QUANTITY_ECR,        /* ECR A_n [ohm m²] */
     QUANTITY_TCR,        /* TCR A_n [K m²/W] */
     QUANTITY_TCR_SCALE_DEPENDENT, /* the same, scale-dependent */
-    QUANTITY_ECR_LAST_SCALE,      /* multiscale: of the finest scale that is not complete, alone [ohm m²] */
+    QUANTITY_ECR_LAST_SCALE,      /* multiscale: ECR A_n of the finest open scale alone [ohm m²] */
     QUANTITY_STIFFNESS,           /* k = -dP/d separation, of the mean planes, per A_n [Pa/m] */
     QUANTITY_GAP,                 /* h_g: of what fills the gaps [W/(m² K)] */
     QUANTITY_JOINT,               /* h_j = 1/(TCR A_n) + h_g [W/(m² K)] */
@@ -32,24 +32,24 @@ enum quantity {
     QUANTITY_COUNT
 };
 
-/** Contact at one load. What was not wanted, or what a model does not compute, is NaN: see quantity_nothing(). */
+/** Contact at one load. Quantities not wanted or not computed are NaN. */
 struct contact_point {
     double value[QUANTITY_COUNT];
     double beyond_fit;     /* share of the load on asperities beyond the law's fitted range, 0...1 (JG), else 0 */
     double radius_clamped; /* share of the load on asperities whose a/R is clamped to 1 (JG), else 0 */
 };
 
-/** The spots that make up a contact at one load, each as round; NaN: the model has no answer there. Both depend on how
- * finely the surface was measured: finer scans have more and smaller spots. */
+/** Round contact spots at one load; NaN: no answer. They depend on the resolution of the scan: finer scans have more
+ * and smaller spots. */
 struct contact_spots {
-    double density_per_m2; /* n: of them in an area S there are n S */
+    double density_per_m2; /* n */
     double radius_m;       /* a, mean over the area of contact */
 };
 
 /** Bit of a quantity in a set of quantities. */
 #define QUANTITY_BIT(quantity) (1u << (quantity))
 
-/** The resistances, and what every model computes. */
+/** The resistances, and the quantities of every model. */
 enum {
     QUANTITY_RESISTANCES =
         QUANTITY_BIT(QUANTITY_ECR) | QUANTITY_BIT(QUANTITY_TCR) | QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT),
@@ -57,51 +57,50 @@ enum {
                      QUANTITY_BIT(QUANTITY_STIFFNESS) | QUANTITY_BIT(QUANTITY_ECR) | QUANTITY_BIT(QUANTITY_TCR)
 };
 
-/** What a number is printed in: scale times the SI number (of a length: of the multiple of sigma) less an offset. */
+/** Unit of print: number = scale times the SI value (of a length: its multiple of sigma) less the offset. */
 struct quantity_unit {
     const char *unit;
-    double scale; /* 0: there is no such unit */
+    double scale; /* 0: no unit */
     double offset;
 };
 
-/** A key of the scene's targets and limits that stands for a quantity. Of several quantities with one key the last that
- * the scene calls for is meant: that of the whole joint. */
+/** A scene key of targets and limits. Of several quantities with one key, the last whose effect runs is meant: that of
+ * the whole joint. */
 struct quantity_asked {
     const char *key;          /* NULL: none */
     const char *symbol;       /* in running text */
-    unsigned total, per_area; /* enum unit_quantity bits: of the whole contact (0: not so), and as the models have it */
+    unsigned total, per_area; /* enum unit_quantity bits: of the whole contact (0: none), and per area as in models */
     double least, most;       /* SI */
-    bool reciprocal;          /* it is 1/quantity */
+    bool reciprocal;          /* the key is 1/quantity */
 };
 
-/** A panel of the quantity in every model. */
+/** A chart with a panel per model. */
 struct quantity_panel {
-    const char *file; /* figure of all surfaces, a panel a model; "": none; NULL: no panel at all */
+    const char *file; /* figure of all surfaces; "": none; NULL: no panel at all */
     enum quantity against;
-    int number; /* of the baseline's panel in chapter 6; 0: it is not there */
-    int first;  /* of the four of all surfaces; 0: the same */
+    int number; /* of the baseline's panel in chapter 6; 0: none */
+    int first;  /* number of the first of the four of all surfaces; 0: none */
 };
 
-/** How a direct solution has the quantity: a mean of its, times a factor. */
+/** The quantity from a direct solution: a mean times a factor. */
 struct quantity_solved {
-    const char *column; /* in direct.csv; NULL: it has not */
-    const char *ratio;  /* in direct_ratio.csv, and of its error in direct.csv; NULL: in neither */
+    const char *column; /* in direct.csv; NULL: none */
+    const char *ratio;  /* column in direct_ratio.csv, and of its error in direct.csv; NULL: in neither */
     int mean;           /* of direct_ensemble.h */
     double (*factor)(const struct material_pair *pair, double mean); /* NULL: 1 */
-    bool elastic;                                                    /* only of a contact that is elastic throughout */
+    bool elastic;                                                    /* of wholly elastic contact only */
 };
 
-/** What a quantity is: bits. */
+/** Properties of a quantity: bits. */
 enum {
-    QUANTITY_LINEAR = 1,      /* else its mean is geometric, its axis logarithmic */
-    QUANTITY_RISES = 2,       /* with the load: more of it is better */
-    QUANTITY_ENDS = 4,        /* at full contact it is 0 or infinite: charts stop before */
-    QUANTITY_BANDED = 8,      /* it is known with an interval */
-    QUANTITY_SIGMA_ALONE = 16 /* data/ has it as a multiple of sigma only */
+    QUANTITY_LINEAR = 1,      /* arithmetic mean and linear axis, else geometric and logarithmic */
+    QUANTITY_RISES = 2,       /* with the load: more is better */
+    QUANTITY_ENDS = 4,        /* 0 or infinite at full contact: charts stop before */
+    QUANTITY_BANDED = 8,      /* has an interval */
+    QUANTITY_SIGMA_ALONE = 16 /* in data/ only as a multiple of sigma */
 };
 
-/** Which of what a model is off by, or a scan leaves open, changes the quantity: the factor of area, gap or resistance.
- */
+/** Whose error the quantity has: that of area, gap or resistance. */
 enum quantity_follows { FOLLOWS_NOTHING, FOLLOWS_AREA, FOLLOWS_GAP, FOLLOWS_RESISTANCE, FOLLOWS_COUNT };
 
 struct quantity_row {
@@ -109,46 +108,46 @@ struct quantity_row {
     const char *short_symbol; /* in running text: "ECR" */
     const char *unit;         /* SI, "" for a ratio */
     const char *meaning;      /* in docs/report.md */
-    unsigned effect;          /* EFFECT_BITs that it belongs to, any of them; 0: every run has it */
-    unsigned from;            /* QUANTITY_BITs that it is made of once a model has run; 0: the model computes it */
+    unsigned effect;          /* EFFECT_BITs, any of which asks for it; 0: in every run */
+    unsigned from;            /* QUANTITY_BITs it is computed from after a model has run; 0: the model computes it */
     unsigned is;              /* the bits above */
     enum quantity_follows follows;
-    const char *sigma_column;   /* of a length that is shown as a multiple of sigma, in data/; NULL: none */
-    struct quantity_unit shown; /* tables and charts have it in that; none: SI */
-    struct quantity_unit handy; /* `compare` does; none: it leaves it out */
-    double at_full;             /* of what the model computes: where contact is full */
-    int precedence;             /* where nothing is asked, the computed one of the greatest is; of those that models
-                                   compute, surfaces are ranked by it; 0: never */
+    const char *sigma_column;   /* column in data/ of a length as a multiple of sigma; NULL: none */
+    struct quantity_unit shown; /* in tables and charts; none: SI */
+    struct quantity_unit handy; /* in `compare`; none: left out */
+    double at_full;             /* value at full contact, if a model computes it */
+    int precedence;             /* the greatest is the one asked for by default, and (if a model computes it) the one
+                                   that surfaces are ranked by; 0: never */
     struct quantity_asked asked[2];
     struct quantity_panel panels[2];
-    enum quantity dotted; /* drawn beside it; QUANTITY_LOAD: none */
-    const char *note;     /* that a chart has of it, of figure_notes; NULL: none */
+    enum quantity dotted; /* drawn with it, dotted; QUANTITY_LOAD: none */
+    const char *note;     /* of a chart, from figure_notes; NULL: none */
     struct quantity_solved solved;
-    /** Makes it of the others. NULL: the model computes it, or joint/ makes it. */
+    /** Computes it from the others. NULL: a model or joint/ does. */
     double (*derive)(const double value[QUANTITY_COUNT], const struct material_pair *pair);
 };
 
 extern const struct quantity_row quantity_rows[]; /* QUANTITY_COUNT */
 
-/** Made by an effect of what lies in the joint? */
+/** Does joint/ compute it? */
 bool quantity_of_joint(enum quantity quantity);
-/** What tables and charts have it in. */
+/** Its unit in tables and charts. */
 struct quantity_unit quantity_unit(enum quantity quantity);
-/** A quantity as tables and charts show it: a length as a multiple of sigma_m. */
+/** Its value in tables and charts: a length as a multiple of sigma_m. */
 double quantity_shown(const struct contact_point *point, enum quantity quantity, double sigma_m);
-/** Its name, with the SI unit or as a multiple of sigma. */
+/** Its name there. */
 const char *quantity_shown_name(enum quantity quantity);
-/** Of a set of quantities (QUANTITY_BITs) the one of the greatest precedence. */
+/** The quantity of greatest precedence in a set of QUANTITY_BITs. */
 enum quantity quantity_first(unsigned quantities);
-/** The quantity that a key stands for where the scene calls for these EFFECT_BITs, and *how: it needs an effect that is
- * not called for where that is NULL; QUANTITY_COUNT: no such key. */
+/** The quantity of a scene key, given the EFFECT_BITs called for; QUANTITY_COUNT: no such key. *how NULL: it needs an
+ * effect that is not called for. */
 enum quantity quantity_of_key(const struct quantity_asked **how, const char *key, unsigned called);
-/** QUANTITY_BITs of all quantities that a set of EFFECT_BITs calls for. */
+/** QUANTITY_BITs that a set of EFFECT_BITs calls for. */
 unsigned quantity_wanted(unsigned effects);
-/** QUANTITY_BITs `computed` by a model, with those that are made of them. */
+/** QUANTITY_BITs `computed` by a model and those computed from them. */
 unsigned quantity_with_made(unsigned computed);
 
-/** A point of which nothing is known: every quantity NaN, the shares 0. */
+/** A point without answers: every quantity NaN, the shares 0. */
 struct contact_point quantity_nothing(void);
 
 #endif

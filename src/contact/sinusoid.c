@@ -5,8 +5,7 @@
 
 static const double link_exponent = 0.01; /* the linking equation's exponents (4.5): 1.5 + 0.01 and 1 + 4 x 0.01 */
 static const double sinusoid_link_switch = 0.8;
-static const double critical_strain =
-    2.0 / 3; /* exp(2 nu/3) in Delta_c; the thesis's form, see docs/equations.md, Unsettled */
+static const double critical_strain = 2.0 / 3; /* exp(2 nu/3) in Delta_c (docs/equations.md, Unsettled) */
 
 /** a_1 = pi (3x/8pi)^(2/3), the Hertz limit (4.3*); from ln x. */
 static double area_low(double ln_x)
@@ -21,9 +20,9 @@ static double area_high_complement(double x)
     return 3 / (2 * M_PI) * (1 - x);
 }
 
-/** The linking equation a_low (1-x^1.51) + a_2 x^1.04 for 0 < x < 1, with a_low elastic (4.5) or plastic (4.17*). Its
- * complement is summed from small terms where x is near 1, so that 1 - sqrt(a) keeps its digits. x^1.51 is
- * x sqrt(x) t, x^1.04 is x t^4 with t = x^0.01, which is all that needs an exponential. */
+/** The linking equation a_low (1-x^1.51) + a_2 x^1.04, 0 < x < 1, with a_low elastic (4.5) or plastic (4.17*). Near x =
+ * 1 the complement is summed from small terms, so that 1 - sqrt(a) keeps its digits. With t = x^0.01, the only
+ * exponential, x^1.51 = x sqrt(x) t and x^1.04 = x t^4. */
 static void link_areas(struct sinusoid_cell *cell, double low, double x, double ln_x)
 {
     double high_complement = area_high_complement(x), root = sqrt(x);
@@ -133,7 +132,7 @@ double sinusoid_ordered_pressure(const struct material_pair *pair)
     return fmax(cbrt(M_PI / 24) * flow_Pa, critical_Pa); /* p_c = p* at the first */
 }
 
-/** Below p_p <= p*, so that the elastic area is short of 1 too. */
+/** Below p_p, where the elastic area is below 1 too (p_p <= p*). */
 static void raise_to_elastic(struct sinusoid_cell *cell, const struct sinusoid_scale *scale,
                              const struct sinusoid_fit *closure, double pressure_Pa)
 {
@@ -151,7 +150,7 @@ bool sinusoid_press(struct sinusoid_cell *cell, const struct sinusoid_scale *sca
 {
     bool plastic = pressure_Pa > scale->critical_pressure_Pa;
     double complete_Pa = plastic ? scale->plastic_full_pressure_Pa : scale->full_pressure_Pa;
-    if (pressure_Pa >= complete_Pa) { /* also a scale of no amplitude, before anything is divided by its pressure */
+    if (pressure_Pa >= complete_Pa) { /* also a scale of zero amplitude, where p* is 0 */
         *cell = (struct sinusoid_cell){.area_ratio = 1};
         return plastic;
     }
@@ -177,7 +176,7 @@ double sinusoid_full_area_pressure(const struct sinusoid_scale *scale)
     if (!(low < high))
         return high;
     const struct sinusoid_fit *closure = &sinusoid_fits[SINUSOID_FIT_THESIS]; /* plastic: not asked */
-    for (;;) { /* bisect down to neighbouring numbers: the area never falls, so there is one border */
+    for (;;) { /* bisects down to neighbouring numbers: the area never falls */
         double middle = low + (high - low) / 2;
         if (!(middle > low && middle < high))
             return high;

@@ -1,14 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Closure `numeric`: the elastic sinusoidal cell interpolated from a direct numerical solution (docs/equations.md,
- * One sinusoidal scale).
- * ln[G/(1-x)^(5/2)] and a/x^(2/3) are smooth in x^(1/3); Steffen's cubic keeps both monotone between the nodes.
- * The ends are the exact limits: Hertz at x = 0 (4.3) and Johnson, Greenwood and Higginson's (4.9) at x = 1. */
+/* Closure `numeric`: a direct numerical solution of the elastic cell, interpolated (docs/equations.md, One sinusoidal
+ * scale). ln[G/(1-x)^(5/2)] and a/x^(2/3) are smooth in x^(1/3); Steffen's cubic keeps both monotone between the nodes.
+ * The ends are the exact limits: Hertz at x = 0 (4.3), Johnson, Greenwood and Higginson's (4.9) at x = 1. */
 #include "contact/sinusoid.h"
 
 #include <math.h>
 
-/* 1024 x 1024 grid, area within 3e-4, gap within 2e-6 */
-/** The direct numerical solution: x = p/p*, area ratio, gap/amplitude. */
+/** The solution on a 1024 x 1024 grid: x = p/p*, area ratio within 3e-4, gap/amplitude within 2e-6. */
 struct sinusoid_bem_row {
     double x, area, gap;
 };
@@ -29,7 +27,7 @@ static const struct sinusoid_bem_row sinusoid_bem[] = {
 };
 enum { NODES = sizeof sinusoid_bem / sizeof sinusoid_bem[0], POINTS = NODES + 2 };
 
-/** The two interpolated quantities at point i, 0 and POINTS-1 being the exact limits. */
+/** Abscissa and the two quantities at point i; 0 and POINTS-1 are the exact limits. */
 static double point_t(int i)
 {
     return i == 0 ? 0 : i == POINTS - 1 ? 1 : cbrt(sinusoid_bem[i - 1].x);
@@ -98,7 +96,7 @@ static struct piece piece_at(double (*value)(int), double x)
     return (struct piece){t[1], step, y[1], y[2], slope_low, slope_high};
 }
 
-/** How far the cubic is above its low end's value, at `u` from that end. */
+/** How far it is above its low end's value, at `u` from that end. */
 static double piece_rise(const struct piece *piece, double u)
 {
     double step = piece->step, secant = (piece->high - piece->low) / step;
@@ -107,7 +105,7 @@ static double piece_rise(const struct piece *piece, double u)
     return u * (piece->slope_low + u * (square + u * cubic));
 }
 
-/** How far it is below its high end's value, at `s` from that end: the same turned round. */
+/** How far the cubic is below its high end's value, at `s` from that end. */
 static double piece_rest(const struct piece *piece, double s)
 {
     struct piece turned = {0, piece->step, -piece->high, -piece->low, piece->slope_high, piece->slope_low};
@@ -140,7 +138,7 @@ double sinusoid_numeric_gap(double x)
 {
     if (x >= 1)
         return 0;
-    if (x < sinusoid_bem[0].x) /* 1 - G ~ x^(2/3), thesis (4.8): the first node's value, carried on by that law */
+    if (x < sinusoid_bem[0].x) /* 1 - G ~ x^(2/3) (4.8), through the first node */
         return exp(log(sinusoid_bem[0].gap) * pow(x / sinusoid_bem[0].x, 2.0 / 3));
     return exp(interpolate(point_gap, x) + 2.5 * log1p(-x));
 }

@@ -5,14 +5,13 @@
 
 #include <math.h>
 
-/** Is (4.51) wanted? */
 static bool is_scale_dependent(const struct statistical *model)
 {
     return model->wanted & QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT);
 }
 
-/** The integrals of (4.25), (4.26), (4.43*), (4.46*) at d, in closed form for GW, else from the panels; GW's
- * scale-dependent one, which alone needs its panels, only when it is wanted. */
+/** The integrals of (4.25), (4.26), (4.43*), (4.46*) at d: closed forms for GW, else the panels, which GW needs for the
+ * scale-dependent one (4.51) alone. */
 static void integrate(struct quadrature_sums *sums, const struct statistical *model, double d)
 {
     bool scale_dependence = is_scale_dependent(model);
@@ -22,7 +21,7 @@ static void integrate(struct quadrature_sums *sums, const struct statistical *mo
         return;
     struct gaussian_integrals f = gaussian_integrals(d);
     double radius_m = model->asperity.radius_m, sigma_s_m = model->surface.sigma_s_m;
-    double scale_dependent = 0; /* the panels take out another factor */
+    double scale_dependent = 0; /* the panels have another log_factor */
     if (scale_dependence)
         scale_dependent = sums->radius_scale_dependent * exp(sums->log_factor - f.log_factor);
     *sums = (struct quadrature_sums){
@@ -51,7 +50,7 @@ static struct logarithm closed_logarithm(const struct statistical *model, bool a
     return (struct logarithm){log(model->surface.density_per_m2 * scale * upper) + f.log_factor, first, second};
 }
 
-/** Any law's: the derivatives are cumulants of the interference u, since phi(u + d) has -(u + d) as its logarithm's. */
+/** Any law: the derivatives are cumulants of the interference u, since d ln phi(u + d)/dd = -(u + d). */
 static struct logarithm panel_logarithm(const struct statistical *model, bool area, double d)
 {
     double sum[3], log_factor;
@@ -61,9 +60,9 @@ static struct logarithm panel_logarithm(const struct statistical *model, bool ar
     return (struct logarithm){log(scale * sum[0]) + log_factor, -mean - d, sum[2] / sum[0] - mean * mean - 1};
 }
 
-/** Solves ln A (4.25) or ln(P/(A_n E')) (4.26) = log_target for d. The logarithm falls and is concave in d (both laws
- * are log-concave), so that after one step of Newton's the iterates close in from one side; where its second term is
- * small, the series of the inverse function is taken that far. */
+/** Solves ln A (4.25) or ln(P/(A_n E')) (4.26) = log_target for d by Newton's method, with the second-order term where
+ * that is small. The logarithm falls and is concave in d, so the iterates converge from one side after the first step.
+ */
 static double solve(const struct statistical *model, bool area, double log_target, double d)
 {
     static const double highest_d = 40; /* exp(-d²/2) is below the smallest double */
@@ -73,10 +72,10 @@ static double solve(const struct statistical *model, bool area, double log_targe
         struct logarithm f =
             model->law == ASPERITY_HERTZ ? closed_logarithm(model, area, d) : panel_logarithm(model, area, d);
         if (!(isfinite(f.value) && f.first < 0))
-            return NAN; /* beyond double: model_run() leaves the curve out */
+            return NAN; /* out of range: model_run() drops the curve */
         double newton = (log_target - f.value) / f.first, bend = newton * f.second / (2 * f.first);
         d += fabs(bend) <= small ? newton * (1 - bend) : newton;
-        if (fabs(newton) <= 1e-6 * fmax(1, fabs(d))) /* what is left is below rounding */
+        if (fabs(newton) <= 1e-6 * fmax(1, fabs(d))) /* the rest is below rounding */
             return d;
     }
     return d;
@@ -98,8 +97,8 @@ enum status_code statistical_make(struct statistical *out, const struct model_ta
     const struct quadrature_law laid = {&out->asperity, law, surface->sigma_s_m,
                                         scale_dependent ? out->spot.knudsen_length_m : 0};
     elastic.law = ASPERITY_HERTZ;
-    out->full_d = solve(&elastic, true, 0, 0);        /* below it no law has anything to say */
-    if ((law != ASPERITY_HERTZ || scale_dependent) && /* else closed forms serve */
+    out->full_d = solve(&elastic, true, 0, 0);        /* no law is needed below it */
+    if ((law != ASPERITY_HERTZ || scale_dependent) && /* else closed forms do */
         quadrature_make(&out->panels, &laid, fmin(lowest_d, out->full_d), task->tolerance, status) != STATUS_OK)
         return status->code;
     if (law != ASPERITY_HERTZ)
@@ -153,7 +152,7 @@ bool statistical_solve(struct contact_point *out, const struct statistical *mode
     *d = fmax(*d, model->full_d);
     statistical_at(out, model, *d);
     out->value[QUANTITY_LOAD] = load;
-    out->value[QUANTITY_AREA] = fmin(1, out->value[QUANTITY_AREA]); /* but for rounding it is */
+    out->value[QUANTITY_AREA] = fmin(1, out->value[QUANTITY_AREA]); /* rounding */
     return true;
 }
 

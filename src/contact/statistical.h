@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The statistical models: asperities of one radius with Gaussian heights against a flat at height d (docs/equations.md,
- * Statistical models; 4.25, 4.26, 4.29, 4.43-4.46, 4.49-4.51, 4.54). One asperity law gives GW (Hertz), the other JG
- * (Jackson and Green). */
+/* The statistical models GW (law of Hertz) and JG (Jackson and Green): asperities of one radius with Gaussian heights
+ * against a flat at height d (docs/equations.md, Statistical models; 4.25, 4.26, 4.29, 4.43-4.46, 4.49-4.51, 4.54). */
 #ifndef CONTACT_STATISTICAL_H
 #define CONTACT_STATISTICAL_H
 
@@ -10,22 +9,22 @@
 #include "contact/quadrature.h"
 #include <stdbool.h>
 
-/** One surface in one law, ready for any separation. Owned: statistical_free(). */
+/** One surface and one law. Owned: statistical_free(). */
 struct statistical {
     struct asperities surface;
     struct asperity asperity;
     enum asperity_model_id law;
     struct constriction spot;
-    unsigned wanted;          /* QUANTITY_BITs to compute */
-    struct quadrature panels; /* the law at the quadrature nodes; empty where closed forms do */
+    unsigned wanted;          /* QUANTITY_BITs */
+    struct quadrature panels; /* empty where closed forms do */
     double full_d;            /* d/sigma_s at which A = A_n */
     double full_load;         /* P/(A_n E') there */
     double beta;              /* -2 delta_full/sigma: makes delta_ADJ = 0 at A = A_n (4.54) */
 };
 
-/** Prepares the model of what a task asks, with beta (4.54), for separations d >= `lowest_d` sigma_s and always down to
- * its full contact (pass INFINITY for just that). Errors: STATUS_MEMORY; STATUS_MODEL when full contact or lowest_d is
- * below about -2000 (no surface of roughness_asperities() is). */
+/** Prepares the model of a task, with beta (4.54), for separations down to full contact or to `lowest_d` sigma_s if
+ * that is lower. Errors: STATUS_MEMORY; STATUS_MODEL when either is below about -2000 (not with
+ * roughness_asperities()). */
 MUST_CHECK enum status_code statistical_make(struct statistical *out, const struct model_task *task,
                                              enum asperity_model_id law, double lowest_d, struct status *status);
 void statistical_free(struct statistical *model);
@@ -35,20 +34,19 @@ void statistical_free(struct statistical *model);
  * the resistances are 0. `beyond_fit` is the share of the load on asperities with a/R > 0.41 (JG). */
 void statistical_at(struct contact_point *out, const struct statistical *model, double d);
 
-/** Contact at P/(A_n E') = load. Returns false, with nothing written, beyond the model's full contact.
- * `*d` is the first guess and becomes d/sigma_s of the solution (any finite value to start). */
+/** Contact at P/(A_n E') = load; false, with nothing written, beyond full contact. `*d`, d/sigma_s, is any finite first
+ * guess and becomes that of the solution. */
 bool statistical_solve(struct contact_point *out, const struct statistical *model, double load, double *d);
 
-/** The spots at d = `d` sigma_s: n = eta F_0(d), all asperities that touch, and their mean radius over the area of
- * contact, int a³ phi/int a² phi (GW: sqrt(R sigma_s) F_3/2/F_1). Both depend on the resolution of the scan through m4.
- */
+/** Spots at d = `d` sigma_s: all touching asperities, n = eta F_0(d), and their mean radius over the contact area, int
+ * a³ phi/int a² phi (GW: sqrt(R sigma_s) F_3/2/F_1). Both depend on the resolution of the scan through m4. */
 struct contact_spots statistical_spots(const struct statistical *model, double d);
 
-/** The point of complete contact: area ratio 1, adjusted separation and resistances 0. */
+/** Full contact: area ratio 1, adjusted separation and resistances 0. */
 void statistical_full(struct contact_point *out, const struct statistical *model);
 
-/** The other estimate of beta in (4.54): the one that brings delta_ADJ(P) closest, in the mean square over `count`
- * common loads, to the multiscale separations. Arrays in metres. */
+/** The other estimate of beta in (4.54): least-squares fit of delta_ADJ(P) to the multiscale separations [m] at `count`
+ * common loads. */
 double statistical_beta_multiscale(const double *separation_m, const double *multiscale_m, size_t count,
                                    double sigma_m);
 

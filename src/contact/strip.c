@@ -12,9 +12,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/** p over the strip's rms slope, and the tolerance of its solution: tighter where little touches, and where the gap is
- * small. Over 16 profiles the ratios to the surrogates are 3, 8 and 3 % (load, length, gap; rms) from those of exact
- * solutions; other surrogates scatter them by 8, 13 and 13 %. */
+/** p over the strip's rms slope, and the tolerance of the solution: tighter where little area or gap is left. On 16
+ * profiles the ratios to surrogates differ by 3, 8 and 3 % (load, length, gap; rms) from those of exact solutions;
+ * other surrogates change them by 8, 13 and 13 %. */
 static const struct {
     double load, tolerance;
 } ladder[STRIP_LOADS] = {
@@ -23,11 +23,11 @@ static const struct {
     {0.55, 1.5e-2}, {0.8, 7e-3},    {1.1, 3e-3},  {1.6, 3e-3},    {2.3, 3e-3},
 };
 
-/* STRIP_ROUGHLY: every so manieth load, and times the tolerance; of 100 surfaces' quarters it made the scatter 14 %
- * wider. */
+/* STRIP_ROUGHLY: every second load, at twice the tolerance; on the quarters of 100 surfaces the scatter is 14 % wider.
+ */
 enum { ROUGH_STEP = 2, ROUGH_TOLERANCE = 2 };
 
-static const double least_share = 0.3; /* of the points in contact that their outline leaves */
+static const double least_share = 0.3; /* of the area in contact, left by the correction for its outline */
 
 double strip_smoothing(size_t scans)
 {
@@ -51,7 +51,7 @@ double *strip_join(size_t *points, const struct strip_rows *rows)
     return strip_m;
 }
 
-/** The rows' means, and the amplitudes that stand for all of them. */
+/** Mean spectrum of the rows, and mean and deviation of their mean heights. */
 struct phases {
     struct fft_room room; /* of one row */
     double *amplitude;    /* sqrt of the mean power of harmonic k, over the points */
@@ -87,7 +87,7 @@ static void phases_free(struct phases *phases)
     fft_room_free(&phases->room);
 }
 
-/** A Gaussian row. */
+/** Draws a Gaussian row. */
 static void draw_row(double *out, struct phases *phases, size_t length, uint64_t seed, uint64_t first,
                      struct status *status)
 {
@@ -105,8 +105,8 @@ static void draw_row(double *out, struct phases *phases, size_t length, uint64_t
     memcpy(out, phases->room.record, length * sizeof *out);
 }
 
-/** Mean-square slope of rows that each close on themselves: the steps from one to the next, which tower over the waves
- * where rows are pieces of a longer scan, are not the surface's. */
+/** Mean-square slope of the rows, each periodic: the steps between rows, which are large where rows are pieces of a
+ * longer scan, are left out. */
 static double mean_square_slope(const double *strip_m, size_t points, size_t length, double spacing_m)
 {
     double sum = 0;
@@ -118,7 +118,7 @@ static double mean_square_slope(const double *strip_m, size_t points, size_t len
     return sum / (double)points;
 }
 
-/** Mean gap of the points that do not touch: what is left at the others is the solver's tolerance. */
+/** Mean gap of the points out of contact; at the others it is solver tolerance. */
 static double open_gap(const struct direct_contact *contact)
 {
     double sum = 0;
@@ -128,8 +128,8 @@ static double open_gap(const struct direct_contact *contact)
     return sum / (double)contact->kernel.points;
 }
 
-/** Points that do not press but overlap: the tolerance has left them out. With half of them counted as touching the
- * ratios to the surrogates are nearer to exact ones, ln p by .031 in place of .039. */
+/** Points that overlap without pressure, because of the tolerance. Counting half of them as in contact brings the
+ * ratios to surrogates closer to exact ones: ln p within .031 instead of .039. */
 static size_t overlapping(const struct direct_contact *contact)
 {
     size_t count = 0;
@@ -149,7 +149,7 @@ struct solver {
     const atomic_bool *stop;
 };
 
-/** Puts a solution into the curve, from its end on; those that complete contact or come no further down say nothing. */
+/** Puts a solution into the curve, from its end on. Full contact, or an area not below the last, is left out. */
 static enum status_code add_solution(struct strip_curve *curve, struct direct_contact *contact,
                                      const struct direct_contact_load *load, const struct direct_quantities *found,
                                      struct status *status)
@@ -171,7 +171,7 @@ static enum status_code add_solution(struct strip_curve *curve, struct direct_co
     return STATUS_OK;
 }
 
-/** The strip, or a surrogate, down the ladder until too few points touch. */
+/** Solves the strip or a surrogate at falling loads, until too few points touch. */
 static enum status_code solve_strip(struct strip_curve *curve, size_t *convolutions, const struct solver *solver,
                                     size_t index, struct status *status)
 {
@@ -214,7 +214,7 @@ static enum status_code solve_strip(struct strip_curve *curve, size_t *convoluti
     size_t first = STRIP_LOADS - curve->count;
     memmove(curve->logit, curve->logit + first, curve->count * sizeof *curve->logit);
     memmove(curve->value, curve->value + first, curve->count * sizeof *curve->value);
-    for (size_t q = 1; q < 3; q++) /* more contact conducts better and gapes less; the outline's share may say else */
+    for (size_t q = 1; q < 3; q++) /* length and gap fall with area, except for the outline correction */
         isotonic(&curve->value[0][q], curve->count, 3, true);
     return STATUS_OK;
 }
@@ -229,7 +229,7 @@ static void draw_surrogates(double *strip_m, size_t points, struct solver *solve
         for (size_t r = 0; r < rows->rows && s % 2 == 0; r++)
             draw_row(own_m + r * length, &solver->phases, length, rows->seed ? rows->seed[r] + s / 2 : s / 2 + 1,
                      rows->seed ? 0 : r << 32, status);
-        for (size_t k = 0; k < points && s % 2 == 1; k++) /* turned over, which is as likely and errs the other way */
+        for (size_t k = 0; k < points && s % 2 == 1; k++) /* upside down: as likely, with the opposite error */
             own_m[k] = 2 * solver->phases.mean_m - strip_m[(s - 1) * points + k];
     }
 }
@@ -283,7 +283,7 @@ uint64_t strip_cost(const struct strip_rows *rows)
     return (uint64_t)(pairs * points * (double)(STRIP_LOADS * (1 + STRIP_SURROGATES)));
 }
 
-/** A line through two neighbours, carried on above the last; below the first p goes as A, l as 1/A, the gap stays. */
+/** Linear between neighbours and above the last; below the first p ~ A, l ~ 1/A, the gap is constant. */
 static void add_values(double sum[3], const struct strip_curve *curve, double at, double weight)
 {
     static const double slope_below[3] = {1, -1, 0};
@@ -315,8 +315,8 @@ struct strip_ratio strip_ratio_at(const struct strip *strip, double area_ratio)
 
 static const double grid_step = 0.05; /* in logit A */
 
-/** logit A below all solutions and at the corrected theory's end. Between them lies a grid that no list of loads moves;
- * returns its steps. */
+/** logit A below all solutions and at the largest area; returns the steps of a grid between them, which does not depend
+ * on the loads asked. */
 static size_t range_of(double range[2], const struct strip *strip)
 {
     range[0] = strip->own.logit[0];
@@ -332,9 +332,8 @@ static double area_of(const double range[2], double share)
     return logistic(range[0] + (range[1] - range[0]) * share);
 }
 
-/** ln of the strip's ratios at the grid's nodes (those of struct strip_curve), each by the least-squares line through
- * all of them, weighted by a Gaussian of the strip's smoothing in logit A (a local line: Cleveland, J. Am. Stat. Assoc.
- * 74 (1979) 829); malloc'ed; NULL: out of memory. */
+/** ln of the ratios at the nodes of the grid, smoothed by local least-squares lines with Gaussian weights as wide as
+ * the strip's smoothing (Cleveland, J. Am. Stat. Assoc. 74 (1979) 829); malloc'ed; NULL: out of memory. */
 static double (*smooth_ratios(const double range[2], size_t steps, const struct strip *strip))[3]
 {
     enum { REACH = 120, EVERY = 4 }; /* steps: three widths, of which every fourth node is enough */
@@ -401,7 +400,7 @@ enum status_code strip_areas(double *area_ratio, const double *loads, size_t cou
     return STATUS_OK;
 }
 
-/** The grid's nodes, behind `below` areas that lie below them. */
+/** The nodes of the grid, after `below` areas that lie below them. */
 struct nodes {
     size_t below, steps;
     double range[2], *area_ratio;
@@ -410,7 +409,7 @@ struct nodes {
     double (*ratio)[3];                     /* smooth_ratios() */
 };
 
-/* Share of the theory's fall with ln A that smoothed lengths and gaps keep where they would rise. */
+/* Smoothed lengths and gaps fall with ln A at least by this share of the theory's fall. */
 static const double least_fall = 0.2;
 
 static void fill_nodes(struct nodes *nodes, const struct strip *strip, const struct persson *persson,
@@ -423,7 +422,7 @@ static void fill_nodes(struct nodes *nodes, const struct strip *strip, const str
     corrected_persson_curve(nodes->theory, nodes->area_ratio, all, persson, with_separation);
     for (size_t k = 0; k < all; k++) {
         double *value = nodes->value[k];
-        const double *ratio = nodes->ratio[k >= below ? k - below : 0]; /* they go on as they end */
+        const double *ratio = nodes->ratio[k >= below ? k - below : 0]; /* constant below the grid */
         const double area = nodes->area_ratio[k], load = corrected_persson_load(area, persson->m2) * exp(ratio[0]);
         value[0] = (1 - falls) * log(nodes->theory[k].constriction_m) + ratio[1];
         value[1] = (1 - falls) * log(nodes->theory[k].separation_m) + ratio[2];

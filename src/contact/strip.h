@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a surface's heights do, whatever their distribution: profiles solved as strips of an elastic half space, without
- * strain across, beside Gaussian strips of the same spectrum. Their ratio at equal area is carried over to the surface
+/* The effect of a height distribution: profiles are solved as strips of an elastic half space in plane strain, and so
+ * are Gaussian strips of the same spectrum ("surrogates"). Their ratio at equal area is applied to the surface
  * (equations: strip transfer). */
 #ifndef CONTACT_STRIP_H
 #define CONTACT_STRIP_H
@@ -12,80 +12,78 @@
 #include <stdint.h>
 
 enum {
-    STRIP_LOADS = 17,     /* rungs of the ladder */
-    STRIP_KNOTS = 32,     /* at most, of a curve */
-    STRIP_SURROGATES = 2, /* Gaussian strips a ratio is against; one row's and the same turned over scatter as four */
-    STRIP_ROUGHLY = 5,    /* in place of their number where only the scatter of answers is asked: one, half the loads */
-    STRIP_LEAST_POINTS = 12 /* in contact, below which a solution says nothing */
+    STRIP_LOADS = 17,       /* solved */
+    STRIP_KNOTS = 32,       /* at most, of a curve */
+    STRIP_SURROGATES = 2,   /* a Gaussian strip and the same upside down, which scatter no more than four do */
+    STRIP_ROUGHLY = 5,      /* as the number of surrogates, for a scatter alone: one surrogate, half the loads */
+    STRIP_LEAST_POINTS = 12 /* in contact, for a usable solution */
 };
 
-/** Profiles of one surface, of equal length and spacing, levelled, their heights from one reference. */
+/** Levelled profiles of one surface, of equal length and spacing, with a common height reference. */
 struct strip_rows {
     const double *height_m; /* rows x points */
     size_t rows, points;
     double spacing_m;
-    bool periodic;        /* each closes on itself; else it is mirrored */
-    const uint64_t *seed; /* one a row, of its surrogates' phases; NULL: its number */
-    double smoothing;     /* what follows from them is smoothed over so much of logit A: strip_smoothing(); 0: not */
+    bool periodic;        /* each row; else it is mirrored */
+    const uint64_t *seed; /* one per row, for the phases of surrogates; NULL: its number */
+    double smoothing;     /* width in logit A over which ratios are smoothed: strip_smoothing(); 0: none */
 };
 
-/** For rows of so many scans: measured ratios have the least error with it (any-heights: 1 for one, .6 from three on),
- * and the stairs that their noise makes are gone. */
+/** The width with the least measured error: 1 for one scan, .6 from three on (any-heights). It also removes steps that
+ * noise makes. */
 double strip_smoothing(size_t scans);
 
-/** The rows one after another, each with its mirror image behind it unless periodic: so many heights, malloc'ed; NULL:
- * out of memory. */
+/** The rows one after another, each followed by its mirror image unless periodic; malloc'ed; NULL: out of memory. */
 double *strip_join(size_t *points, const struct strip_rows *rows);
 
-/** Solutions of one strip by area, ascending. */
+/** Solutions of one strip, by ascending area. */
 struct strip_curve {
     size_t count;
     double logit[STRIP_KNOTS];    /* of A/A_n, corrected for the outline */
     double value[STRIP_KNOTS][3]; /* ln of p, l, gap: as struct strip_ratio */
-    size_t unsolved;              /* loads at which the solution did not converge, which are left out */
+    size_t unsolved;              /* loads that did not converge and are left out */
 };
 
-/** A strip and the Gaussian ones beside it. */
+/** A strip and its surrogates. */
 struct strip {
     struct strip_curve own, surrogate[STRIP_SURROGATES];
-    size_t surrogates;   /* that have a solution */
-    size_t unsolved;     /* of all of them */
-    uint64_t transforms; /* pairs of transforms that it took, times points */
+    size_t surrogates;   /* with a solution */
+    size_t unsolved;     /* loads of all strips */
+    uint64_t transforms; /* pairs of transforms, times points */
     double smoothing;    /* as of the rows */
 };
 
-/** Joins the rows to one strip and solves it, and as many surrogates:
- * every row with random phases on these rows' mean power and a normal mean of these rows' mean and deviation, hashed
- * from the row's seed, so that it keeps its phases whatever other rows there are;
- * every second one is the one before turned over. Loads and surrogates that do not converge are left out. Errors:
- * STATUS_MODEL: flat rows, or not one load under which enough points touch and the solution converges;
- * STATUS_INTERRUPTED; STATUS_MEMORY. The same from any number of threads. */
+/** Joins the rows to one strip and solves it and its surrogates. A surrogate's rows have the mean power of all rows
+ * with random phases, and a normal mean with the mean and deviation of the rows; both are hashed from the row's seed,
+ * and so do not depend on other rows. Every second surrogate is the one before upside down. Loads and surrogates that
+ * do not converge are left out. Errors: STATUS_MODEL: flat rows, or no load with enough points in contact that
+ * converges; STATUS_INTERRUPTED; STATUS_MEMORY. The result does not depend on the number of threads. */
 MUST_CHECK enum status_code strip_solve(struct strip *out, const struct strip_rows *rows, size_t surrogates,
                                         const struct threads *threads, struct status *status);
 
-/** Pairs of transforms times points that strip_solve() takes with STRIP_SURROGATES, about. */
+/** Expected `transforms` of strip_solve() with STRIP_SURROGATES. */
 uint64_t strip_cost(const struct strip_rows *rows);
 
-/** ln of the strip's load, constriction length and gap over those of its surrogates (mean of ln) at equal area. */
+/** ln of load, constriction length and gap over those of the surrogates (mean of ln) at equal area. */
 struct strip_ratio {
     double load, constriction, separation;
 };
 struct strip_ratio strip_ratio_at(const struct strip *strip, double area_ratio);
 
-/** A/A_n (up to that of corrected_persson.h; NaN beyond) at ascending loads P/(A_n E') of a surface whose rows have the
- * mean-square slope m2: p(A) of the corrected theory times the ratio, made monotone. Error: STATUS_MEMORY. */
+/** A/A_n at ascending loads P/(A_n E'), from p(A) of corrected Persson at mean-square slope m2 times the ratio, made
+ * monotone; NaN beyond the largest area of corrected_persson.h. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code strip_areas(double *area_ratio, const double *loads, size_t count,
                                         const struct strip *strip, double m2, struct status *status);
 
 /** A surface under a load. */
 struct strip_contact {
     double area_ratio, constriction_m, separation_m;
-    double least_area_per_load; /* A/(A_n p) at this load or a smaller one */
+    double least_area_per_load; /* least A/(A_n p) up to this load */
 };
 
-/** What goes with ascending areas up to the largest of corrected_persson.h, the corrected theory's times the ratio:
- * lengths and separations never rise, and none depends on which other areas there are. Where at a smaller one it was
- * less, the area per load becomes that. with_separation false: NaN. Error: STATUS_MEMORY. */
+/** Constriction length and separation at ascending areas up to the largest of corrected_persson.h: corrected Persson's
+ * times the ratio, never rising, and independent of the other areas asked. Lowers least_area_per_load where a smaller
+ * area had less. Separation NaN if not with_separation. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code strip_contact(struct strip_contact *contact, size_t count, const struct strip *strip,
                                           const struct persson *persson, bool with_separation, struct status *status);
 

@@ -14,7 +14,7 @@ const double transfer_ladder[TRANSFER_LADDER] = {1e-4, 2.5e-4, 6e-4, 1.5e-3, 4e-
 
 extern const struct model_row model_strip;
 
-static const double grid_step = 0.1, grid_below = 20; /* in ln p, and how far below the first solution */
+static const double grid_step = 0.1, grid_below = 20; /* in ln p; the grid starts so far below the first solution */
 
 size_t transfer_capped_loads(double load[TRANSFER_LOADS], double gradient, double hardness)
 {
@@ -29,7 +29,7 @@ size_t transfer_capped_loads(double load[TRANSFER_LOADS], double gradient, doubl
     return count;
 }
 
-/** What corrected-persson has at the knots of `out`. */
+/** Adds ln of corrected-persson's answer at the knots of `out`. */
 static void add_gaussian(struct strip_curve *out, const struct persson *persson)
 {
     double area[STRIP_KNOTS];
@@ -44,8 +44,8 @@ static void add_gaussian(struct strip_curve *out, const struct persson *persson)
     }
 }
 
-/** A square's elastic solutions as those of a strip, and corrected-persson in place of its surrogates; a line through
- * the last two ends it at the largest area. */
+/** A square's elastic solutions as a strip, with corrected-persson as its surrogate; the last one is interpolated at
+ * the largest area. */
 static void make_strip(struct strip *out, const struct transfer_square *square, const struct persson *persson)
 {
     const double last = logit(corrected_persson_largest_area);
@@ -69,7 +69,7 @@ static void make_strip(struct strip *out, const struct transfer_square *square, 
     add_gaussian(&out->surrogate[0], persson);
 }
 
-/** The mean of the squares' ratios, as the strip of the whole surface. */
+/** The mean ratio of the squares, as a strip of the whole surface. */
 static void join(struct strip *out, const struct strip *strip, size_t count, const struct persson *persson)
 {
     const double last = logit(corrected_persson_largest_area);
@@ -105,7 +105,7 @@ static void put_ln(double out[3], const struct transfer_point *point)
     out[2] = log(point->constriction_m);
 }
 
-/** Adds a contact to the curve; false: it is beyond the largest area. */
+/** Adds a contact; false beyond the largest area. */
 static bool add_point(struct transfer_curve *curve, const struct transfer_point *point)
 {
     double value[3];
@@ -123,7 +123,7 @@ static void make_monotone(struct transfer_curve *curve)
         isotonic(&curve->value[0][q], curve->count, 3, q > 0);
 }
 
-/** The elastic curve, as strip transfer has it. */
+/** The elastic curve, by strip transfer. */
 static enum status_code make_elastic(struct transfer_curve *out, const struct spectrum *spectrum,
                                      const struct strip *strip, struct status *status)
 {
@@ -155,7 +155,7 @@ static enum status_code make_elastic(struct transfer_curve *out, const struct sp
     return status->code;
 }
 
-/** Straight between ascending places; at the ends that of the last one. */
+/** Linear interpolation between ascending places, constant beyond the ends. */
 static double between(double at, const double *place, size_t step, const double *value, size_t stride, size_t count)
 {
     size_t low = 0, high = count - 1;
@@ -173,13 +173,13 @@ static const double bearing_first = -9, bearing_step = 0.2; /* in logit A */
 
 void transfer_bearing(double out[TRANSFER_BEARING], double *height_m, size_t count)
 {
-    double below = 0, least; /* what the heights lie below the present one, all together */
+    double below = 0, least; /* sum of the depths below the present height */
     size_t k = 0;
     gsl_sort(height_m, 1, count);
-    least = 1e-6 * (height_m[count - 1] - height_m[0]); /* where the lowest are alike */
+    least = 1e-6 * (height_m[count - 1] - height_m[0]); /* where the lowest heights are equal */
     for (size_t i = 0; i < count && k < TRANSFER_BEARING; i++) {
         below += i > 0 ? (double)i * (height_m[i] - height_m[i - 1]) : 0;
-        for (; k < TRANSFER_BEARING; k++) { /* from the largest share on */
+        for (; k < TRANSFER_BEARING; k++) { /* falling shares */
             double share = logistic(bearing_first + bearing_step * (double)(TRANSFER_BEARING - 1 - k));
             if ((double)(count - i) > share * (double)count + 1)
                 break;
@@ -195,9 +195,9 @@ struct yielding {
     double hardness;
 };
 
-/** What solutions with a hardness are held against (equations: hardness): the area (A_e^4 + (P/H)^4)^(1/4), the gap of
- * elastic contact and bearing curve in parallel, and the length of the elastic curve at that area. False beyond its
- * end. */
+/** The closed form that solutions with a hardness are compared with (equations: hardness): area (A_e^4 +
+ * (P/H)^4)^(1/4), gap of elastic contact and bearing curve in parallel, length of the elastic curve at that area. False
+ * beyond its end. */
 static bool hardened(double out[3], const struct yielding *of, double load)
 {
     const struct transfer_curve *elastic = of->elastic;
@@ -221,8 +221,7 @@ struct ratios {
     double ln_load[TRANSFER_LOADS], value[TRANSFER_LOADS][3];
 };
 
-/** Adds `weight` times the ln ratio of a square's solutions with the hardness to the first out->count loads; NaN where
- * it has none. */
+/** Adds `weight` times the ln ratio of a square's solutions with the hardness to their closed form; NaN: none. */
 static void add_capped(struct ratios *out, const struct transfer_square *square, const struct yielding *of,
                        double weight)
 {
@@ -236,7 +235,7 @@ static void add_capped(struct ratios *out, const struct transfer_square *square,
     }
 }
 
-/** Takes out what is no number. */
+/** Removes loads with NaN. */
 static void keep_finite(struct ratios *ratios)
 {
     size_t kept = 0;
@@ -248,7 +247,7 @@ static void keep_finite(struct ratios *ratios)
     ratios->count = kept;
 }
 
-/** The curve with the hardness, from the elastic one of the same surface. */
+/** The curve with the hardness: the closed form times the ratios. */
 static void make_capped(struct transfer_curve *out, const struct yielding *of, const struct ratios *ratios)
 {
     const struct transfer_curve *elastic = of->elastic;
@@ -283,7 +282,7 @@ enum status_code transfer_make(struct transfer *out, const struct transfer_squar
         persson_free(&own);
         if (strip[s].own.count == 0)
             rc = status_fail(status, STATUS_MODEL, "no load of its ladder resolves the contact of the map");
-        else if (capped.count > 0 && /* curve[0] is that of the square for now */
+        else if (capped.count > 0 && /* curve[0] is the square's for now */
                  (rc = make_elastic(&out->curve[0], &squares[s].spectrum, &strip[s], status)) == STATUS_OK)
             add_capped(&capped, &squares[s], &(struct yielding){&out->curve[0], squares[s].bearing, hardness},
                        1 / (double)count);

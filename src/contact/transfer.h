@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Direct solutions of a map's squares carried over to all of the map and to any load, as a strip's are: their ratio to
- * corrected-persson of the same spectrum, at equal area (equations: direct transfer). */
+/* Direct solutions of squares of a map applied to the whole map and to any load, as those of strips are: by their ratio
+ * to corrected-persson of the same spectrum at equal area (equations: direct transfer). */
 #ifndef CONTACT_TRANSFER_H
 #define CONTACT_TRANSFER_H
 
@@ -9,16 +9,16 @@
 
 enum {
     TRANSFER_LADDER = STRIP_LOADS, /* loads to begin with */
-    TRANSFER_LOADS = STRIP_KNOTS,  /* at most, where contact grows fast */
-    TRANSFER_ERRORS = 5,           /* loads at which errors are known */
-    TRANSFER_BEARING = 64,         /* areas of a bearing curve */
-    TRANSFER_GRID = 640            /* at most, of an answer */
+    TRANSFER_LOADS = STRIP_KNOTS,  /* at most, with those added where contact grows fast */
+    TRANSFER_ERRORS = 5,           /* loads with known errors */
+    TRANSFER_BEARING = 64,         /* points of a bearing curve */
+    TRANSFER_GRID = 640            /* points of a curve, at most */
 };
 
-/** p/(E' g) of the ladder, g the root mean square gradient; ascending. */
+/** p/(E' g) of the first loads, ascending; g is the rms gradient. */
 extern const double transfer_ladder[TRANSFER_LADDER];
-/** Loads p/E' below the hardness h = H/E' (INFINITY: none) for solutions with it: those of the ladder, and shares of
- * the hardness where it has none. Returns how many. */
+/** Loads p/E' below the hardness H/E' (INFINITY: none) for solutions with it: the first loads, and shares of the
+ * hardness above them. Returns how many. */
 size_t transfer_capped_loads(double load[TRANSFER_LOADS], double gradient, double hardness);
 
 /** A contact. */
@@ -27,7 +27,7 @@ struct transfer_point {
     double area_ratio, separation_m, constriction_m;
 };
 
-/** Of a square: elastic, and with the hardness, at ascending loads; NaN where that tells nothing. */
+/** Solutions of a square, elastic and with the hardness, at ascending loads; NaN where not usable. */
 struct transfer_square {
     struct spectrum spectrum; /* of its rows and columns */
     struct transfer_point elastic[TRANSFER_LOADS], capped[TRANSFER_LOADS];
@@ -35,8 +35,8 @@ struct transfer_square {
     double bearing[TRANSFER_BEARING]; /* by transfer_bearing() */
 };
 
-/** Bearing curve: ln of the mean gap below the height that a share of the heights exceeds, at even steps of its logit.
- * Puts the heights in order. */
+/** Bearing curve: ln of the mean gap below the height that a share of the heights exceeds, at even steps of logit of
+ * the share. Sorts the heights. */
 void transfer_bearing(double out[TRANSFER_BEARING], double *height_m, size_t count);
 
 /** ln of area, gap and constriction length at rising loads. */
@@ -45,7 +45,7 @@ struct transfer_curve {
     double ln_load[TRANSFER_GRID], value[TRANSFER_GRID][3];
 };
 
-/** What they amount to. Owned: transfer_free(). */
+/** The answer for the map. Owned: transfer_free(). */
 struct transfer {
     struct spectrum spectrum;       /* of the whole surface */
     struct transfer_curve curve[2]; /* elastic, with the hardness; count 0: none */
@@ -55,18 +55,16 @@ struct transfer {
     } error[2]; /* standard errors of the curves' values; NaN: not known */
 };
 
-/** Carries squares, of the same loads, over to the surface of out->spectrum: the means of ln ratios over the squares.
- * ln A never falls with load, ln l and ln gap never rise. Errors: STATUS_MODEL: nothing is common to the squares;
- * STATUS_MEMORY. */
+/** Applies the mean ln ratio of the squares, which have the same loads, to the surface of out->spectrum. ln A never
+ * falls with load, ln l and ln gap never rise. Errors: STATUS_MODEL: a square has no usable load; STATUS_MEMORY. */
 MUST_CHECK enum status_code transfer_make(struct transfer *out, const struct transfer_square *squares, size_t count,
                                           double hardness, struct status *status);
 void transfer_free(struct transfer *transfer);
 
-/** The answer at p/E': straight in ln between the grid's loads, and below the first; false beyond the largest area. */
+/** The answer at p/E', interpolated in ln, also below the first load; false beyond the largest area. */
 bool transfer_at(struct transfer_point *out, const struct transfer *transfer, bool plastic, double load);
 
-/** Standard error of ln area (0), gap (1) or constriction (2) at a load, straight in ln p between those at which it is
- * known; NaN: it is not. */
+/** Standard error of ln area (0), gap (1) or constriction (2) at a load, interpolated in ln p; NaN: not known. */
 double transfer_error(const struct transfer *transfer, bool plastic, int which, double load);
 
 #endif

@@ -103,7 +103,7 @@ const struct material material_table[] = {
 };
 const size_t material_table_count = sizeof material_table / sizeof *material_table;
 
-/* What else a row of the table is called. */
+/* Aliases. */
 static const struct {
     const char *other, *name;
 } other_names[] = {
@@ -185,7 +185,7 @@ static double mean_free_path_m(const struct material *material)
            (material->density_kg_per_m3 * material->sound_speed_m_per_s * material->specific_heat_J_per_kgK);
 }
 
-/* Which of the two yields first cannot be told when one strength is missing: then nothing of yielding is known. */
+/* If one yield strength is missing, the softer body is not known, and nothing of its yield. */
 static struct material softer_body(const struct material *first, const struct material *second)
 {
     if (isnan(first->yield_strength_Pa) || isnan(second->yield_strength_Pa))

@@ -6,7 +6,7 @@
 #include "base/status.h"
 #include "base/unit.h"
 
-/** One metal, or what fills a gap and bears no load: then E is not known. A property that is not known is NaN. */
+/** A metal, or a gap filler that bears no load (E not known). Unknown properties are NaN. */
 struct material {
     char name[64];
     double youngs_modulus_Pa;       /* E */
@@ -23,7 +23,7 @@ struct material {
     double electrons_per_m3;        /* free ones; 0: not known */
 };
 
-/** One row a property: drives the scene's keys, the `materials` command and the range checks. */
+/** A property: drives scene keys, the `materials` command and range checks. */
 struct material_property {
     const char *key;    /* in tables and results.json, and a scene key: E_Pa, nu, Sy_Pa, ... */
     const char *name;   /* the scene key without unit: E, nu, Sy, ...; the same where there is none */
@@ -33,7 +33,7 @@ struct material_property {
     size_t offset;      /* of the double in struct material */
     double least, most; /* allowed range, inclusive */
     enum unit_quantity quantity;
-    bool optional; /* has something to stand in for it: shown only where it is given */
+    bool optional; /* has a default: shown only where given */
 };
 
 extern const struct material_property material_properties[];
@@ -41,11 +41,11 @@ extern const size_t material_property_count;
 extern const struct material material_table[];
 extern const size_t material_table_count;
 
-/** The built-in material of that name, or other name (CuSn6, C17200; case-insensitive), NULL when there is none. */
+/** The built-in material of that name or alias (CuSn6, C17200; case-insensitive); NULL: none. */
 const struct material *material_find(const char *name);
 /** A material with every property NaN and the given name. */
 struct material material_unknown(const char *name);
-/** The row of that key (E_Pa), NULL when there is none. */
+/** The row of that key (E_Pa); NULL: none. */
 const struct material_property *material_property_find(const char *key);
 /** Value of a property row in a material. */
 double material_value(const struct material *material, const struct material_property *property);
@@ -55,9 +55,9 @@ enum material_counterface {
     MATERIAL_COUNTERFACE_ELASTIC, /* a second elastic body */
 };
 
-/** What the models need of the two bodies together. A quantity whose properties are missing is NaN. */
+/** The two bodies together. A quantity whose properties are missing is NaN. */
 struct material_pair {
-    bool unknown;                        /* no material is given: E' stands as 1, so that pressures are P/(A_n E') */
+    bool unknown;                        /* no material given: E' = 1, so that pressures are P/(A_n E') */
     double effective_modulus_Pa;         /* E': E/(1-nu²), or 1/E' = (1-nu1²)/E1 + (1-nu2²)/E2 */
     double yield_strength_Pa;            /* S_y of the softer body */
     double poisson_ratio;                /* nu of the softer body */
@@ -71,19 +71,19 @@ struct material_pair {
     double side_resistivity_ohm_m[2];
 };
 
-/** Hardness over yield strength of a metal that is not hardened: Tabor 1951; Jackson and Green 2005 (H_G at a -> 0). */
+/** 2.84: hardness over yield strength without hardening: Tabor 1951; Jackson and Green 2005 (H_G at a -> 0). */
 extern const double material_hardness_ratio;
 
 /** H [Pa] of one body: as given, else 2.84 S_y. */
 double material_hardness(const struct material *material);
 
-/** Combines `material` with its counterface (`other` is read for MATERIAL_COUNTERFACE_ELASTIC only). The softer body is
- * the one with the lower yield strength. Source: docs/equations.md, Material; thesis (4.14), (4.52). */
+/** Combines `material` with its counterface (`other` only for MATERIAL_COUNTERFACE_ELASTIC). The softer body has the
+ * lower yield strength. Source: docs/equations.md, Material; thesis (4.14), (4.52). */
 struct material_pair material_pair(const struct material *material, enum material_counterface kind,
                                    const struct material *other);
 
-/** The pair where no material is given: E' = 1 and all else NaN. What then comes out of the elastic models, which take
- * and give loads as P/(A_n E'), is right for any material. */
+/** The pair without a material: E' = 1, all else NaN. Elastic models, with loads as P/(A_n E'), then hold for any
+ * material. */
 struct material_pair material_pair_unknown(void);
 
 /** P/A_n [Pa] at P/(A_n E') = load; NaN where no material is given. */

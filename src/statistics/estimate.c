@@ -8,7 +8,7 @@
 const double estimate_level = 0.95;
 const struct estimate estimate_none = ESTIMATE_NONE;
 
-/** The value, or its logarithm; NaN where there is none. */
+/** The value or its logarithm; NaN: not known. */
 static double scaled(double value, bool logarithmic)
 {
     if (!logarithmic)
@@ -16,7 +16,7 @@ static double scaled(double value, bool logarithmic)
     return value > 0 && isfinite(value) ? log(value) : NAN;
 }
 
-/** A half width of logarithms whose ends are no numbers any more is none. */
+/** NaN if an end of the logarithmic interval is out of the range of double. */
 static double bounded(double mean, double half_width, bool logarithmic)
 {
     bool lost = logarithmic && (!isfinite(exp(mean + half_width)) || !(exp(mean - half_width) > 0));
@@ -39,7 +39,7 @@ static struct estimate from_interval(const struct interval *interval, bool logar
     };
 }
 
-/** One value, of which nothing more is known. */
+/** One value without an interval. */
 static struct estimate alone(double value, bool logarithmic)
 {
     struct estimate out = estimate_none;
@@ -63,15 +63,14 @@ enum status_code estimate_make(struct estimate *out, const double *value, const 
         own[i] = scaled(value[i], logarithmic);
         known = known && !isnan(own[i]);
     }
-    enum status_code rc = STATUS_OK;
     if (known && count == 1) {
         *out = alone(own[0], logarithmic);
     } else if (known) {
-        rc = interval_scans(&interval, own, weight, count, estimate_level, status);
-        *out = rc == STATUS_OK ? from_interval(&interval, logarithmic) : *out;
+        if (interval_scans(&interval, own, weight, count, estimate_level, status) == STATUS_OK)
+            *out = from_interval(&interval, logarithmic);
     }
     free(own);
-    return rc;
+    return status->code;
 }
 
 struct estimate estimate_of_error(double value, double s, double degrees)

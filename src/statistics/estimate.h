@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A number of a surface and how far it may be from what more scans would give: by the scans' own scatter, or, of one
- * scan, by simulated records. */
+/* An estimate of a surface's number with its interval: from the scatter of its scans or, for one scan, from simulated
+ * records. */
 #ifndef STATISTICS_ESTIMATE_H
 #define STATISTICS_ESTIMATE_H
 
@@ -15,14 +15,13 @@ extern const double estimate_level;
 struct estimate {
     size_t count; /* scans; 1: one scan, or a map; 0: not known, and the rest is NaN */
     double mean;
-    double sd, s, degrees; /* of a single scan; standard error of the mean; its degrees of freedom */
-    double
-        half_width; /* by s, of the 95 % interval of the surface's mean; NaN: not known, or its ends are no doubles */
-    double next_half_width; /* of that in which another scan lies; NaN: not known */
-    double model_sd;        /* as mean: what the model itself may be off by, beside the scatter; 0: not counted in */
-    double effective;       /* sum of the scans' weights */
+    double sd, s, degrees;  /* standard deviation of one scan; standard error of the mean; degrees of freedom */
+    double half_width;      /* of the 95 % interval of the mean, from s; NaN: not known, or out of range */
+    double next_half_width; /* of the interval that holds one more scan; NaN: not known */
+    double model_sd;        /* standard error of the model, on the scale of the mean; 0: not counted */
+    double effective;       /* sum of the weights */
     bool logarithmic;
-    double bound[2]; /* no end lies below the first nor above the second: what physics allows; 0: anything */
+    double bound[2]; /* physical limits of the ends; 0: none */
 };
 
 /** Not known. */
@@ -32,24 +31,23 @@ struct estimate {
     }
 extern const struct estimate estimate_none;
 
-/** Of `count` scans in any order, of the weights given (NULL: 1 each). Values as they are, not their logarithms; one
- * that is not finite (or not positive, of a logarithmic one): not known; one value: its mean alone.
- * Error: STATUS_MEMORY. */
+/** From `count` scans in any order, with weights (NULL: 1 each). Values, not logarithms; if one is not finite (or not
+ * positive, where logarithmic) the estimate is not known; a single value gives its mean alone. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code estimate_make(struct estimate *out, const double *value, const double *weight, size_t count,
                                           bool logarithmic, struct status *status);
 
-/** Of a positive value whose logarithm has the standard error s (NaN: not known) of so many degrees of freedom. */
+/** From a positive value whose logarithm has the standard error s (NaN: not known) with these degrees of freedom. */
 struct estimate estimate_of_error(double value, double s, double degrees);
 
 /** The number itself: exp(mean) where logarithmic. */
 double estimate_value(const struct estimate *estimate);
-/** Is a half-width one: known, and more than rounding leaves of values that are the same in all scans? */
+/** Is a half-width known and more than rounding? */
 bool estimate_has_width(const struct estimate *estimate, double half_width);
-/** Ends of the interval of the surface's value, low (0) and high (1), the model's own error counted in: variances add,
- * v = s² + m², and have v²/(s^4/f) degrees of freedom, as m is known (Satterthwaite 1946, doi:10.2307/3002019). NaN
- * where not known, and where the scatter has no width. */
+/** Low (0) or high (1) end of the interval of the surface's value, with the error of the model: v = s² + m², with
+ * v²/(s^4/f) degrees of freedom, as m is known (Satterthwaite 1946, doi:10.2307/3002019). NaN: not known, or no
+ * scatter. */
 double estimate_end(const struct estimate *estimate, int side);
-/** The same of another scan. */
+/** The same for one more scan. */
 double estimate_next_end(const struct estimate *estimate, int side);
 
 #endif

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* How far a mean may be from what more scans would give: Student's intervals for scans, and for scans cut to
- * subrecords. Values are logarithms of positive answers (area, resistance), or the answers themselves where they may be
- * zero or negative (separation). */
+/* Student's intervals for the mean over scans, also over scans cut to subrecords. Values are logarithms of positive
+ * answers (area, resistance), or answers that may be zero or negative (separation). */
 #ifndef STATISTICS_INTERVAL_H
 #define STATISTICS_INTERVAL_H
 
@@ -15,12 +14,12 @@ struct interval {
     double sd;        /* of values of weight 1 */
     double s;         /* standard error of the mean */
     double degrees;   /* of freedom */
-    double level, t;  /* asked coverage, say 0.95; Student's quantile at (1 + level)/2 */
+    double level, t;  /* coverage, such as 0.95; Student's quantile at (1 + level)/2 */
     double low, high; /* mean -+ t s */
     double effective; /* sum of the weights */
 };
 
-/** One value a scan, in any order (values are summed in ascending order: the result does not depend on theirs).
+/** One value per scan, in any order (they are summed in ascending order).
  *  mean = sum w y/sum w, sd² = sum w (y - mean)²/(M-1), s = sd/sqrt(sum w), M-1 degrees of freedom.
  * A scan of w subrecords weighs w: its value is the mean over them; weight NULL: 1 each. Student 1908,
  * doi:10.1093/biomet/6.1.1. 0 < level < 1. Errors: STATUS_SCAN for fewer than 2 values, one that is not finite or a
@@ -28,13 +27,13 @@ struct interval {
 MUST_CHECK enum status_code interval_scans(struct interval *out, const double *value, const double *weight,
                                            size_t count, double level, struct status *status);
 
-/** Half-width of the interval, about the mean, in which one more scan of this weight lies: t sqrt(sd²/w + s²). */
+/** Half-width of the interval about the mean that holds one more scan of this weight: t sqrt(sd²/w + s²). */
 double interval_next_half_width(const struct interval *interval, double weight);
 
 /** (1 + level)/2 quantile of Student's t. degrees > 0, not always whole. */
 double interval_quantile(double level, double degrees);
 
-/** Subrecords that a scan is cut to beside a shortest one: floor(points/shortest), spread evenly from end to end. */
+/** Number of subrecords of a scan, as long as the shortest scan: floor(points/shortest), spread evenly. */
 size_t interval_subrecords(size_t points, size_t shortest);
 /** First point of subrecord 0 ... subrecords-1, of `shortest` points. */
 size_t interval_subrecord_first(size_t points, size_t shortest, size_t subrecord);

@@ -65,7 +65,7 @@ static bool alike(const bool *apart, size_t i, size_t j, size_t count)
     return i == j || !apart[i < j ? ranking_pair(i, j, count) : ranking_pair(j, i, count)];
 }
 
-/** Do groups other than `except` hold both i and j (i = j: the one)? */
+/** Does a group other than `except` hold both i and j (i = j: that one)? */
 static bool covered(const struct ranking_groups *groups, size_t i, size_t j, size_t except)
 {
     for (size_t g = 0; g < groups->groups; g++) {
@@ -76,7 +76,7 @@ static bool covered(const struct ranking_groups *groups, size_t i, size_t j, siz
     return false;
 }
 
-/** Adds the group of i and j and of all that are like each in it, taken in order. */
+/** Adds the group of i and j and, in order, of all that are alike to every member. */
 static void add_group(struct ranking_groups *groups, const bool *apart, size_t i, size_t j)
 {
     bool *member = groups->member + groups->groups++ * groups->surfaces;

@@ -24,23 +24,20 @@ TEST_CASE(counted)
         height[N + i] = k < WAVE / 2 ? ((double)k + 0.25) / (WAVE / 2) : ((double)(WAVE - k) - 0.75) / (WAVE / 2);
     }
     struct strip_rows rows = {height, 2, N, 1e-3, true, NULL, 0};
-    struct bearing bearing;
-    expect_ok(bearing_make, &bearing, &rows);
+    const struct bearing *bearing = model_support_bearing(&rows);
     for (double area = 0.1; area < 0.95; area += 0.1) {
-        struct bearing_at at = bearing_counted(area, &bearing);
+        struct bearing_at at = bearing_counted(area, bearing);
         assert_near(at.gap_m, (1 - area) * (1 - area) / 2, 1e-2); /* even heights: d = 1 - A */
         assert_near(at.length_m, length_of(area, 6 / 4.8), 1e-3); /* three times in each of two rows of 2.4 m */
     }
-    bearing_free(&bearing);
     rows.rows = 1;
-    expect_ok(bearing_make, &bearing, &rows);
+    bearing = model_support_bearing(&rows);
     struct bearing_at half = bearing_gaussian(0.5, 1, 1);
     for (double area = 0.1; area < 0.95; area += 0.2) {
-        struct bearing_at at = bearing_counted(area, &bearing), gaussian = bearing_gaussian(area, 1, 1);
+        struct bearing_at at = bearing_counted(area, bearing), gaussian = bearing_gaussian(area, 1, 1);
         assert_near(at.gap_m, area < 0.5 ? pow(1 - area, 2) / 2 : gaussian.gap_m / half.gap_m / 8, 1e-2);
         assert_near(at.length_m, gaussian.length_m / half.length_m * length_of(0.5, 1.25), 1e-9);
     }
-    bearing_free(&bearing);
 }
 
 /** Waves rise through a height less than twenty times: what is counted of them does not go by steps. */
@@ -54,15 +51,13 @@ TEST_CASE(smooth)
             height[i] += cos(2 * M_PI * n * ((double)i / N + direct_random(7, (uint64_t)n)));
     }
     struct strip_rows rows = {height, 1, N, 1e-6, true, NULL, 0};
-    struct bearing bearing;
-    expect_ok(bearing_make, &bearing, &rows);
-    assert_true(bearing.end[0] < bearing.nodes / 2 && bearing.end[1] > bearing.nodes / 2);
+    const struct bearing *bearing = model_support_bearing(&rows);
+    assert_true(bearing->end[0] < bearing->nodes / 2 && bearing->end[1] > bearing->nodes / 2);
     for (double x = -4; x < 4; x += 0.02) {
-        double length = log(bearing_counted(1 / (1 + exp(-x)), &bearing).length_m);
+        double length = log(bearing_counted(logistic(x), bearing).length_m);
         assert_true(isnan(before) || (length <= before && length > before - 0.07));
         before = length;
     }
-    bearing_free(&bearing);
 }
 
 enum { SIDE = 64, DIRECT_LOADS = 4 };
@@ -96,8 +91,7 @@ TEST_CASE(direct_solutions)
               &(struct direct_recipe){direct_spectrum_variance, &spectrum, given, SIDE * SIDE}, 3);
     direct_spectrum_free(&spectrum);
     const struct strip_rows rows = {height, SIDE, SIDE, 1e-6, true, NULL, 0};
-    struct bearing bearing;
-    expect_ok(bearing_make, &bearing, &rows);
+    const struct bearing *bearing = model_support_bearing(&rows);
     solve(elastic, height, load, INFINITY);
     for (size_t c = 0; c < sizeof cases / sizeof *cases; c++) {
         double square[3] = {0};
@@ -105,7 +99,7 @@ TEST_CASE(direct_solutions)
         for (size_t i = 0; i < DIRECT_LOADS; i++) {
             const struct direct_quantities *own = &elastic[i].quantities, *truth = &hard[i].quantities;
             double ratio = load[i] / cases[c].hardness, area = bearing_area(own->area_ratio, ratio);
-            struct bearing_at bears = bearing_counted(area, &bearing);
+            struct bearing_at bears = bearing_counted(area, bearing);
             double gap_m = bearing_gap(own->gap_m, ratio / area, &bears);
             double length_m = bearing_length(elastic[i].constriction_m, ratio / area, &bears);
             square[0] += pow(log(area / truth->area_ratio), 2) / DIRECT_LOADS;
@@ -114,7 +108,6 @@ TEST_CASE(direct_solutions)
         }
         assert_true(sqrt(square[0]) < 0.08 && sqrt(square[1]) < cases[c].gap && sqrt(square[2]) < cases[c].length);
     }
-    bearing_free(&bearing);
 }
 
 /** Gaussian heights at half contact, and far up: (d - z)+ is d. */
@@ -160,43 +153,34 @@ TEST_CASE(models)
     struct strip strip = {.own = {.count = 2, .logit = {-4, 2}, .value = {{-9, 1, 2}, {-4, -2, 0}}}, .surrogates = 1};
     strip.surrogate[0] = strip.own;
     model_support_loads(load, MODEL_LOADS, 1e-5, 10);
-    struct model_task task = {.spectrum = &spectrum,
-                              .pair = &pair,
-                              .loads = load,
-                              .load_count = MODEL_LOADS,
-                              .wanted = MODEL_EVERYTHING,
-                              .tolerance = 1e-8,
-                              .hardness_Pa = 1e30,
-                              .rows = &rows,
-                              .strip = &strip};
+    struct model_task task = model_support_task(&spectrum, &pair, load, MODEL_LOADS);
+    task.hardness_Pa = 1e30;
+    task.rows = &rows;
+    task.strip = &strip;
     struct model_curve curve[4];
-    struct bearing bearing;
     assert_false(model_support_run(points[3], "strip-plastic", &task).exists); /* not in order */
-    expect_ok(bearing_make, &bearing, &rows);
-    task.bearing = &bearing;
+    task.bearing = model_support_bearing(&rows);
     for (int m = 0; m < 4; m++)
         curve[m] = model_support_run(points[m], names[m], &task);
     double m2 = spectrum_moment(&spectrum, 1);
-    struct persson persson;
-    expect_ok(persson_make, &persson, &spectrum, 0);
+    struct persson persson = model_support_persson(&spectrum);
     double sixth = corrected_persson_area(load[5], m2);
     struct corrected_persson_point at;
     corrected_persson_curve(&at, &sixth, 1, &persson, true);
     double length_m = at.constriction_m;
-    persson_free(&persson);
     for (size_t i = 0; i < curve[0].count; i++) {
         const double *value = points[0][i].value;
         double area = corrected_persson_area(load[i], m2);
         assert_near(value[QUANTITY_AREA], area, 1e-14);
         assert_near(value[QUANTITY_ECR] / pair.resistivity_ohm_m, value[QUANTITY_TCR] * pair.conductivity_W_per_mK,
                     1e-12);
-        for (int q = QUANTITY_AREA; q <= QUANTITY_TCR && i < curve[1].count; q++)
-            if (q == QUANTITY_AREA || q == QUANTITY_SEPARATION || q == QUANTITY_ECR || q == QUANTITY_TCR)
+        for (int q = QUANTITY_AREA; q <= QUANTITY_TCR; q++) {
+            if (q == QUANTITY_ADJUSTED)
+                continue;
+            if (i < curve[1].count)
                 assert_near(points[1][i].value[q], value[q], 1e-3);
-        for (int m = 2; m < 4; m++) { /* nothing yields */
-            assert_near(points[m][i].value[QUANTITY_AREA], points[m - 2][i].value[QUANTITY_AREA], 1e-12);
-            assert_near(points[m][i].value[QUANTITY_ECR], points[m - 2][i].value[QUANTITY_ECR], 1e-9);
-            assert_near(points[m][i].value[QUANTITY_SEPARATION], points[m - 2][i].value[QUANTITY_SEPARATION], 1e-9);
+            for (int m = 2; m < 4; m++) /* nothing yields */
+                assert_near(points[m][i].value[q], points[m - 2][i].value[q], q == QUANTITY_AREA ? 1e-12 : 1e-9);
         }
     }
     for (int m = 0; m < 4; m++) {
@@ -204,19 +188,16 @@ TEST_CASE(models)
         assert_true(points[m][curve[m].count - 1].value[QUANTITY_AREA] <= corrected_persson_largest_area);
     }
     task.hardness_Pa = 1e-3 * pair.effective_modulus_Pa; /* all yields: A = P/H */
-    curve[3] = model_support_run(points[3], names[3], &task);
+    (void)model_support_run(points[3], names[3], &task);
     assert_near(points[3][0].value[QUANTITY_AREA], load[0] / 1e-3, 0.05);
     assert_near(points[0][5].value[QUANTITY_TCR] * pair.conductivity_W_per_mK, 2 * length_m, 1e-6);
-    strip.own.value[0][2] += log(3); /* three times the gap */
-    strip.own.value[1][2] += log(3);
-    strip.own.value[0][1] += log(2); /* twice the length, at equal area */
-    strip.own.value[1][1] += log(2);
-    curve[1] = model_support_run(points[1], names[1], &task);
+    for (int k = 0; k < 2; k++) { /* at equal area three times the gap and twice the length */
+        strip.own.value[k][2] += log(3);
+        strip.own.value[k][1] += log(2);
+    }
+    (void)model_support_run(points[1], names[1], &task);
     assert_near(points[1][5].value[QUANTITY_ECR], 2 * points[0][5].value[QUANTITY_ECR], 1e-3);
     assert_near(points[1][5].value[QUANTITY_SEPARATION], 3 * points[0][5].value[QUANTITY_SEPARATION], 1e-3);
     task.strip = NULL;
-    curve[1] = model_support_run(points[1], names[1], &task);
-    assert_false(curve[1].exists);
-    bearing_free(&bearing);
-    spectrum_free(&spectrum);
+    assert_false(model_support_run(points[1], names[1], &task).exists);
 }

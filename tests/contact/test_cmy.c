@@ -4,32 +4,13 @@
 #include "members/curve_summary.h"
 #include "model_support.h"
 
-/** One wave with that rms height and mean absolute slope of Gaussian heights: m2 = (pi/2) m². To be freed. */
+/** One wave with that rms height and mean absolute slope of Gaussian heights: m2 = (pi/2) m². */
 static struct spectrum wave(double sigma_m, double slope)
 {
     struct spectrum spectrum = model_support_law(1, 0, 0, 1);
     spectrum.amplitude_m[0] = M_SQRT2 * sigma_m;
     spectrum.length_m = 2 * M_PI * sigma_m / (sqrt(M_PI / 2) * slope);
     return spectrum;
-}
-
-static struct model_task task_of(const struct spectrum *spectrum, const struct material_pair *pair, const double *loads,
-                                 size_t count)
-{
-    return (struct model_task){.spectrum = spectrum,
-                               .pair = pair,
-                               .loads = loads,
-                               .load_count = count,
-                               .wanted = MODEL_EVERYTHING,
-                               .tolerance = 1e-8,
-                               .hardness_Pa = material_hardness_ratio * pair->yield_strength_Pa};
-}
-
-static void spots_of(struct contact_spots *spots, const struct model_task *task)
-{
-    const struct model_row *row = model_rows[model_named("cmy")];
-    struct status status = {0};
-    assert_int_equal(row->spots(spots, row, task, &status), STATUS_OK);
 }
 
 TEST_CASE(matches_the_reference)
@@ -49,19 +30,18 @@ TEST_CASE(matches_the_reference)
         assert_near(contact.separation_over_sigma, separation, 1e-10);
         assert_near(contact.conductance, table_number(&table, i, "h_sigma_over_km"), 1e-10);
         struct spectrum spectrum = wave(sigma_m, slope);
-        struct model_task task = task_of(&spectrum, &pair, &load, 1);
+        struct model_task task = model_support_task(&spectrum, &pair, &load, 1);
         task.hardness_Pa = table_number(&table, i, "hardness_Pa");
         struct contact_point point[2];
         struct contact_spots spots;
         assert_true(model_support_run(point, "cmy", &task).exists);
-        spots_of(&spots, &task);
+        model_support_spots(&spots, "cmy", &task);
         assert_near(point->value[QUANTITY_AREA], table_number(&table, i, "area_ratio"), 1e-10);
         assert_same_number(point->value[QUANTITY_SEPARATION] / sigma_m, separation >= 0 ? separation : NAN, 1e-10);
         assert_near(point->value[QUANTITY_ECR], table_number(&table, i, "ecr_ohm_m2"), 1e-10);
         assert_near(1 / point->value[QUANTITY_TCR], table_number(&table, i, "h_W_per_m2K"), 1e-10);
         assert_near(spots.density_per_m2, table_number(&table, i, "spot_density_per_m2"), 1e-10);
         assert_near(spots.radius_m, table_number(&table, i, "spot_radius_m"), 1e-10);
-        spectrum_free(&spectrum);
         below += separation < 0; /* the mean plane: no gap is left to speak of */
     }
     assert_true(below > 0 && table.rows > 20);
@@ -115,14 +95,14 @@ TEST_CASE(hardness_of_the_spots_own_size)
     struct spectrum spectrum = wave(1e-6, 0.1);
     struct material_pair pair = model_support_tin();
     const double loads[] = {1e-6, 1e-5, 1e-4};
-    struct model_task task = task_of(&spectrum, &pair, loads, 3);
+    struct model_task task = model_support_task(&spectrum, &pair, loads, 3);
     struct contact_point points[4], raised[4];
     struct contact_spots spots[3];
     pair.hardness_Pa = task.hardness_Pa;
     pair.vickers_Pa = pair.hardness_Pa;
     pair.vickers_exponent = -0.2;
     model_support_run(points, "cmy", &task);
-    spots_of(spots, &task);
+    model_support_spots(spots, "cmy", &task);
     for (size_t i = 0; i < 3; i++) {
         double hardness_Pa = pair.vickers_Pa * pow(sqrt(2 * M_PI) * spots[i].radius_m / 1e-6, -0.2);
         assert_near(points[i].value[QUANTITY_AREA], loads[i] * pair.effective_modulus_Pa / hardness_Pa, 1e-10);
@@ -134,7 +114,6 @@ TEST_CASE(hardness_of_the_spots_own_size)
     pair.hardness_Pa *= 1.2;
     model_support_run(points, "cmy", &task);
     assert_near(raised[1].value[QUANTITY_AREA], points[1].value[QUANTITY_AREA], 1e-15);
-    spectrum_free(&spectrum);
 }
 
 /** To P = H and no further, with the hardness that it is given; outside the stated range from A/A_n = 0.1 on. */
@@ -147,7 +126,7 @@ TEST_CASE(the_curve_ends)
     struct contact_point points[MODEL_LOADS + 1];
     struct contact_spots spots[MODEL_LOADS];
     model_support_loads(load, MODEL_LOADS, 1e-7, 1e-2);
-    struct model_task task = task_of(&spectrum, &pair, load, MODEL_LOADS);
+    struct model_task task = model_support_task(&spectrum, &pair, load, MODEL_LOADS);
     struct model_curve curve = model_support_run(points, "cmy", &task);
     assert_true(curve.exists && curve.count > 4 && curve.count < MODEL_LOADS);
     assert_true(load[curve.count] * pair.effective_modulus_Pa >= task.hardness_Pa);
@@ -155,7 +134,7 @@ TEST_CASE(the_curve_ends)
     struct curve_validity valid = curve_summary_validity(&curve, row);
     assert_true(valid.first == 0 && valid.end > 0 && valid.end < curve.count);
     assert_true(points[valid.end - 1].value[QUANTITY_AREA] <= 0.1 && points[valid.end].value[QUANTITY_AREA] > 0.1);
-    spots_of(spots, &task);
+    model_support_spots(spots, "cmy", &task);
     for (size_t i = 0; i < curve.count; i++) {
         assert_near(points[i].value[QUANTITY_AREA], load[i] * pair.effective_modulus_Pa / task.hardness_Pa, 1e-14);
         assert_true(isnan(points[i].value[QUANTITY_TCR_SCALE_DEPENDENT]));
@@ -171,7 +150,6 @@ TEST_CASE(the_curve_ends)
     for (size_t n = 0; n < spectrum.count; n++)
         spectrum.amplitude_m[n] = 0;
     assert_false(model_support_run(points, "cmy", &task).exists);
-    spectrum_free(&spectrum);
 }
 
 /** Constant hardness (c2 = 0) is that hardness; else the hardness belongs to the spots at that hardness, and Song and

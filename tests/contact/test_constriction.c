@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "contact/constriction.h"
-#include "contact/sinusoid.h"
 #include "model_support.h"
 
 /* Psi = (1 - sqrt(a))^(3/2) in long double. */
@@ -8,15 +7,11 @@ TEST_CASE(test_alleviation)
 {
     assert_near(constriction_alleviation(1, 0), 0, 0);
     assert_near(constriction_alleviation(0, 1), 1, 0);
-    for (double area = 1e-15; area < 1; area *= 1.7) {
+    for (double area = 1e-15, before = 1, now; area < 1; area *= 1.7, before = now) {
         long double open = 1 - sqrtl(area);
-        assert_near(constriction_alleviation(area, 1 - area), (double)(open * sqrtl(open)), 1e-12);
-    }
-    double before = 1;
-    for (double area = 1e-15; area < 1; area *= 1.7) { /* more contact, less constriction */
-        double now = constriction_alleviation(area, 1 - area);
-        assert_true(now < before);
-        before = now;
+        now = constriction_alleviation(area, 1 - area);
+        assert_near(now, (double)(open * sqrtl(open)), 1e-12);
+        assert_true(now < before); /* more contact, less constriction */
     }
 }
 
@@ -34,9 +29,10 @@ static struct material copper_like(double conductivity, double resistivity, doub
     return material;
 }
 
-static struct sinusoid_cell cell_of(double area_ratio)
+/** Adds a scale of that area ratio. */
+static void add(struct constriction_sum *sum, double area_ratio, double frequency_per_m, double area_above)
 {
-    return (struct sinusoid_cell){.area_ratio = area_ratio, .area_complement = 1 - area_ratio};
+    constriction_add_scale(sum, area_ratio, 1 - area_ratio, frequency_per_m, area_above);
 }
 
 /* (4.39), (4.42*) written out for one scale on the whole nominal area: n = 2f² spots a unit area, all in parallel. */
@@ -50,8 +46,7 @@ TEST_CASE(test_one_scale)
     for (double area = 1e-6; area < 1; area *= 3)
         for (double frequency = 1e3; frequency < 1e9; frequency *= 10) {
             struct constriction_sum sum = {0};
-            struct sinusoid_cell cell = cell_of(area);
-            constriction_add_scale(&sum, cell.area_ratio, cell.area_complement, frequency, 1);
+            add(&sum, area, frequency, 1);
             double radius_m = sqrt(area / (2 * M_PI * frequency * frequency)), spots = 2 * frequency * frequency;
             double factor = pow(1 - sqrt(area), 1.5) / spots;
             double tcr = factor / (2 * tin.conductivity_W_per_mK * radius_m);
@@ -67,19 +62,18 @@ TEST_CASE(test_one_scale)
 TEST_CASE(test_scales_in_series)
 {
     struct constriction_sum one = {0}, half = {0}, both = {0};
-    struct sinusoid_cell first = cell_of(0.3), second = cell_of(0.1), full = cell_of(1);
-    constriction_add_scale(&one, first.area_ratio, first.area_complement, 1e5, 1);
-    constriction_add_scale(&half, first.area_ratio, first.area_complement, 1e5, 0.5);
+    add(&one, 0.3, 1e5, 1);
+    add(&half, 0.3, 1e5, 0.5);
     assert_near(half.by_radius, 2 * one.by_radius, 1e-14);
     assert_near(half.by_radius_squared, 2 * one.by_radius_squared, 1e-14);
     struct constriction_sum other = {0};
-    constriction_add_scale(&other, second.area_ratio, second.area_complement, 7e5, 0.3);
-    constriction_add_scale(&both, first.area_ratio, first.area_complement, 1e5, 1);
-    constriction_add_scale(&both, second.area_ratio, second.area_complement, 7e5, 0.3);
+    add(&other, 0.1, 7e5, 0.3);
+    add(&both, 0.3, 1e5, 1);
+    add(&both, 0.1, 7e5, 0.3);
     assert_near(both.by_radius, one.by_radius + other.by_radius, 1e-14);
     assert_near(both.by_radius_squared, one.by_radius_squared + other.by_radius_squared, 1e-14);
     struct constriction_sum before = both;
-    constriction_add_scale(&both, full.area_ratio, full.area_complement, 3e6, 0.03);
+    add(&both, 1, 3e6, 0.03);
     assert_near(both.by_radius, before.by_radius, 0);
     assert_near(both.by_radius_squared, before.by_radius_squared, 0);
 }
@@ -91,9 +85,8 @@ TEST_CASE(test_two_materials)
     const struct material_pair pair = material_pair(&sides[0], MATERIAL_COUNTERFACE_ELASTIC, &sides[1]);
     const struct constriction spot = constriction_make(&pair);
     struct constriction_sum sum = {0};
-    struct sinusoid_cell cell = cell_of(0.02);
     const double frequency = 2e7, radius_m = sqrt(0.02 / (2 * M_PI)) / frequency;
-    constriction_add_scale(&sum, cell.area_ratio, cell.area_complement, frequency, 0.4);
+    add(&sum, 0.02, frequency, 0.4);
     const double factor = pow(1 - sqrt(0.02), 1.5) / (2 * frequency * frequency * 0.4);
     double ecr = 0, tcr = 0, scale_dependent = 0;
     for (int s = 0; s < 2; s++) {
@@ -134,8 +127,7 @@ TEST_CASE(test_unknown_properties_give_nothing)
     const struct material_pair pair = material_pair(&material, MATERIAL_COUNTERFACE_RIGID, NULL);
     const struct constriction spot = constriction_make(&pair);
     struct constriction_sum sum = {0};
-    struct sinusoid_cell cell = cell_of(0.02);
-    constriction_add_scale(&sum, cell.area_ratio, cell.area_complement, 1e6, 1);
+    add(&sum, 0.02, 1e6, 1);
     assert_true(isnan(constriction_electrical(&spot, &sum)));
     assert_true(isfinite(constriction_thermal(&spot, &sum)));
     assert_true(isnan(constriction_thermal_scale_dependent(&spot, &sum)));

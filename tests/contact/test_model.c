@@ -2,28 +2,6 @@
 /* What every model goes through: a curve that is not finite does not exist, and what it took is counted. */
 #include "model_support.h"
 
-enum {
-    LOADS = 5,
-    EVERYTHING = QUANTITY_BIT(QUANTITY_SEPARATION) | QUANTITY_BIT(QUANTITY_ECR) | QUANTITY_BIT(QUANTITY_TCR)
-};
-
-static struct model_curve run(const struct asperities *surface, double yield_strength_Pa, struct contact_point *points)
-{
-    static const double loads[LOADS] = {1e-8, 1e-6, 1e-4, 1e-2, 1e4};
-    struct material tin = *material_find("tin");
-    tin.yield_strength_Pa = yield_strength_Pa;
-    struct material_pair pair = material_pair(&tin, MATERIAL_COUNTERFACE_RIGID, NULL);
-    struct model_task task = {.asperities = surface,
-                              .pair = &pair,
-                              .loads = loads,
-                              .load_count = LOADS,
-                              .wanted = EVERYTHING,
-                              .tolerance = 1e-6};
-    struct model_curve curve = {.points = points};
-    expect_ok(model_run, &curve, model_rows[model_named("jg")], &task);
-    return curve;
-}
-
 /** A row says all that tables, charts, `models` and the references say of it. */
 TEST_CASE(test_rows_are_whole)
 {
@@ -47,16 +25,19 @@ TEST_CASE(test_rows_are_whole)
  * that they yield all the same have no area then. */
 TEST_CASE(test_numbers_beyond_double)
 {
-    const struct roughness blunt = {.m0_m2 = 1e-12, .m2 = 1e-2, .m4_per_m2 = 1e9};
-    const struct roughness sharp = {.m0_m2 = 1e30, .m2 = 1e40, .m4_per_m2 = 1e51};
-    struct contact_point points[LOADS + 1];
-    struct asperities surface;
-    expect_ok(roughness_asperities, &surface, &blunt);
-    struct model_curve curve = run(&surface, 14e6, points);
-    assert_true(curve.exists && !curve.overflows && curve.count > 1);
-    expect_ok(roughness_asperities, &surface, &sharp);
-    curve = run(&surface, 4e12, points);
-    assert_true(!curve.exists && curve.overflows && curve.count == 0);
+    static const double loads[] = {1e-8, 1e-6, 1e-4, 1e-2, 1e4};
+    const struct asperities surface[] = {model_support_asperities(1e-12, 1e-2, 1e9),
+                                         model_support_asperities(1e30, 1e40, 1e51)};
+    for (int sharp = 0; sharp < 2; sharp++) {
+        struct contact_point points[6];
+        struct material tin = *material_find("tin");
+        tin.yield_strength_Pa = sharp ? 4e12 : 14e6;
+        const struct material_pair pair = material_pair(&tin, MATERIAL_COUNTERFACE_RIGID, NULL);
+        struct model_task task = model_support_task(NULL, &pair, loads, 5);
+        task.asperities = &surface[sharp];
+        struct model_curve curve = model_support_run(points, "jg", &task);
+        assert_true(curve.exists == !sharp && curve.overflows == sharp && (sharp ? curve.count == 0 : curve.count > 1));
+    }
 }
 
 /** A number of a fixed sequence, 0...1. */
@@ -116,23 +97,19 @@ TEST_CASE(test_any_task)
             .surrogate[0] = {.count = 1, .logit = {-1}, .value = {{-6, 0, 1}}},
             .surrogates = 1};
         model_support_loads(load, loads, pow(10, -8 + 4 * next_share(&seed)), pow(10, -3 + 4 * next_share(&seed)));
-        struct model_task task = {.spectrum = &spectrum,
-                                  .asperities = rough ? &asperities : NULL,
-                                  .pair = &pair,
-                                  .loads = load,
-                                  .load_count = loads,
-                                  .wanted = QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) |
-                                            (MODEL_EVERYTHING & (unsigned)next_below(&seed, 1u << QUANTITY_COUNT)),
-                                  .tolerance = t % 2 ? 1e-4 : 1e-8,
-                                  .sinusoid_fit = t % 4 == 0 ? SINUSOID_FIT_NUMERIC : SINUSOID_FIT_THESIS,
-                                  .hardness_Pa = pow(10, 6 + 3 * next_share(&seed)),
-                                  .transfer = t % 2 ? &transfer : NULL,
-                                  .rows = points > 1 ? &rows : NULL,
-                                  .strip = points > 1 ? &strip : NULL};
-        struct bearing bearing = {0};
-        if (points > 1)
-            expect_ok(bearing_make, &bearing, &rows);
-        task.bearing = points > 1 ? &bearing : NULL;
+        struct model_task task = model_support_task(&spectrum, &pair, load, loads);
+        task.asperities = rough ? &asperities : NULL;
+        task.wanted = QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) |
+                      (MODEL_EVERYTHING & (unsigned)next_below(&seed, 1u << QUANTITY_COUNT));
+        task.tolerance = t % 2 ? 1e-4 : 1e-8;
+        task.sinusoid_fit = t % 4 == 0 ? SINUSOID_FIT_NUMERIC : SINUSOID_FIT_THESIS;
+        task.hardness_Pa = pow(10, 6 + 3 * next_share(&seed));
+        task.transfer = t % 2 ? &transfer : NULL;
+        if (points > 1) {
+            task.rows = &rows;
+            task.strip = &strip;
+            task.bearing = model_support_bearing(&rows);
+        }
         for (size_t m = 0; m < model_count; m++) {
             struct contact_point out[MODEL_LOADS + 1];
             struct model_curve curve = model_support_run(out, model_rows[m]->name, &task);
@@ -141,8 +118,6 @@ TEST_CASE(test_any_task)
                 assert_nothing(&out[i], model_rows[m]->quantities);
             assert_nothing(&curve.full, model_rows[m]->quantities);
         }
-        bearing_free(&bearing);
-        spectrum_free(&spectrum);
     }
     for (size_t m = 0; m < model_count; m++)
         assert_true(existing[m] > TASKS / 3);
@@ -258,7 +233,6 @@ TEST_CASE(test_area_of_load_and_hardness)
  * says something. */
 TEST_CASE(test_few_longest_waves)
 {
-    const struct model_row *strip = model_rows[model_named("strip")], *gw = model_rows[model_named("gw")];
     double amplitude_m[40] = {[1] = 1e-6}; /* two waves */
     const struct spectrum spectrum = {.amplitude_m = amplitude_m, .count = 40, .length_m = 1e-3};
     struct strip_rows rows = {.periodic = false};
@@ -268,18 +242,19 @@ TEST_CASE(test_few_longest_waves)
     assert_within(model_task_reach(&task).longest_waves, 0, 0);
     task.rows = NULL;
     assert_within(model_task_reach(&task).longest_waves, 0, 0);
-    assert_near(model_surface_sd(strip, QUANTITY_ECR, (struct scans_reach){.longest_waves = 2}),
-                hypot(0.54, 1.3 * log(1.25)), 1e-14);
-    assert_near(model_surface_sd(strip, QUANTITY_AREA, (struct scans_reach){.longest_waves = 1}),
-                hypot(0.37, 1.3 * log(2.5)), 1e-14);
-    assert_near(model_surface_sd(strip, QUANTITY_SEPARATION, (struct scans_reach){.longest_waves = 2.5}), 0.48, 1e-14);
-    assert_near(model_surface_sd(strip, QUANTITY_SEPARATION, (struct scans_reach){.longest_waves = 0}), 0.48, 1e-14);
-    assert_near(model_surface_sd(gw, QUANTITY_ECR, (struct scans_reach){.longest_waves = 1}),
-                hypot(0.87, 1.3 * log(2.5)), 1e-14);
-    assert_within(
-        model_surface_sd(model_rows[model_named("direct")], QUANTITY_ECR, (struct scans_reach){.longest_waves = 1}), 0,
-        0);
-    assert_within(model_surface_sd(strip, QUANTITY_SPOT_RADIUS, (struct scans_reach){.longest_waves = 1}), 0, 0);
+    static const struct {
+        const char *model;
+        enum quantity quantity;
+        double waves, own, few; /* the model's own error, and that of so few waves */
+    } cases[] = {{"strip", QUANTITY_ECR, 2, 0.54, 1.25},       {"strip", QUANTITY_AREA, 1, 0.37, 2.5},
+                 {"strip", QUANTITY_SEPARATION, 2.5, 0.48, 1}, {"strip", QUANTITY_SEPARATION, 0, 0.48, 1},
+                 {"gw", QUANTITY_ECR, 1, 0.87, 2.5},           {"direct", QUANTITY_ECR, 1, 0, 1},
+                 {"strip", QUANTITY_SPOT_RADIUS, 1, 0, 1}};
+    for (size_t c = 0; c < sizeof cases / sizeof *cases; c++) {
+        double sd = model_surface_sd(model_rows[model_named(cases[c].model)], cases[c].quantity,
+                                     (struct scans_reach){.longest_waves = cases[c].waves});
+        assert_near(sd, hypot(cases[c].own, 1.3 * log(cases[c].few)), 1e-14);
+    }
 }
 
 /* A model's error of a quantity is that of the area, gap or resistance that it follows. */

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Number and radius of the spots of the asperity models, against integrals over asperities taken one by one. */
 #include "base/integral.h"
-#include "contact/statistical.h"
 #include "model_support.h"
 
 /** a^power phi(u + d) of the asperities that stand u sigma_s above the flat. */
@@ -28,24 +27,9 @@ static double over_asperities(struct spot_integrand f, double power)
            (middle < end ? integral(spot_integrand, &f, middle, end, 1e-12) : 0);
 }
 
-static struct asperities surface_of(double m0, double m2, double m4)
-{
-    struct roughness roughness = {.m0_m2 = m0, .m2 = m2, .m4_per_m2 = m4};
-    struct asperities surface;
-    expect_ok(roughness_asperities, &surface, &roughness);
-    return surface;
-}
-
 static const struct {
     double m0, m2, m4;
 } surfaces[] = {{1.156e-13, 0.0012, 4.5e8}, {1e-12, 0.0098696044, 1.2e8}, {3.3872e-11, 0.02, 2.4e10}};
-
-static void spots_of(struct contact_spots *spots, const char *model, const struct model_task *task)
-{
-    const struct model_row *row = model_rows[model_named(model)];
-    struct status status = {0};
-    assert_int_equal(row->spots(spots, row, task, &status), STATUS_OK);
-}
 
 /** n = eta int phi, a = int a³ phi/int a² phi, at the separation of each load; more load, more and larger spots. */
 TEST_CASE(spots_are_integrals_over_asperities)
@@ -58,16 +42,13 @@ TEST_CASE(spots_are_integrals_over_asperities)
     model_support_loads(load, MODEL_LOADS, 1e-8, 1e-2);
     for (size_t s = 0; s < sizeof surfaces / sizeof *surfaces; s++)
         for (int law = ASPERITY_HERTZ; law <= ASPERITY_JG; law++) {
-            struct asperities surface = surface_of(surfaces[s].m0, surfaces[s].m2, surfaces[s].m4);
+            struct asperities surface = model_support_asperities(surfaces[s].m0, surfaces[s].m2, surfaces[s].m4);
             struct asperity asperity = asperity_make(surface.radius_m, &pair, (enum asperity_model_id)law);
-            struct model_task task = {.asperities = &surface,
-                                      .pair = &pair,
-                                      .loads = load,
-                                      .load_count = MODEL_LOADS,
-                                      .wanted = MODEL_EVERYTHING,
-                                      .tolerance = 1e-10};
+            struct model_task task = model_support_task(NULL, &pair, load, MODEL_LOADS);
+            task.asperities = &surface;
+            task.tolerance = 1e-10;
             struct model_curve curve = model_support_run(points, names[law], &task);
-            spots_of(spots, names[law], &task);
+            model_support_spots(spots, names[law], &task);
             bool closed = curve.points[curve.count - 1].value[QUANTITY_LOAD] == curve.full_load;
             size_t pressed = curve.count - closed;
             assert_true(pressed > 5);
@@ -92,7 +73,7 @@ TEST_CASE(spots_are_integrals_over_asperities)
 /** Where nothing yields JG has GW's spots; far apart GW's are those of exponential heights. */
 TEST_CASE(spots_in_the_limits)
 {
-    struct asperities surface = surface_of(1e-12, 1e-4, 1e5);
+    struct asperities surface = model_support_asperities(1e-12, 1e-4, 1e5);
     struct material soft = *material_find("tin");
     soft.yield_strength_Pa = 2e9; /* beyond what these blunt asperities bear at any height that counts */
     struct material_pair pair = material_pair(&soft, MATERIAL_COUNTERFACE_RIGID, NULL);
@@ -101,23 +82,20 @@ TEST_CASE(spots_in_the_limits)
     model_support_loads(load, MODEL_LOADS, 1e-9, 1e-5);
     struct model_task task = {
         .asperities = &surface, .pair = &pair, .loads = load, .load_count = MODEL_LOADS, .tolerance = 1e-10};
-    spots_of(gw, "gw", &task);
-    spots_of(jg, "jg", &task);
+    model_support_spots(gw, "gw", &task);
+    model_support_spots(jg, "jg", &task);
     for (size_t i = 0; i < MODEL_LOADS; i++) {
         assert_near(jg[i].density_per_m2, gw[i].density_per_m2, 1e-8);
         assert_near(jg[i].radius_m, gw[i].radius_m, 1e-8);
     }
     /* far apart, heights above the flat are exponential: F_3/2/F_1 = Gamma(5/2)/sqrt(d) */
-    struct statistical model;
-    const struct model_task one = {.asperities = &surface, .pair = &pair, .tolerance = 1e-10};
-    expect_ok(statistical_make, &model, &one, ASPERITY_HERTZ, INFINITY);
+    struct statistical model = model_support_statistical(&surface, &pair, ASPERITY_HERTZ, 1e-10, INFINITY);
     double d = 35;
     struct contact_spots far = statistical_spots(&model, d);
     assert_near(far.radius_m, sqrt(surface.radius_m * surface.sigma_s_m / d) * 0.75 * sqrt(M_PI), 2e-3);
     assert_near(far.density_per_m2, surface.density_per_m2 * erfc(d / M_SQRT2) / 2, 1e-12);
-    statistical_free(&model);
     task.asperities = NULL; /* no statistical model exists */
-    spots_of(gw, "gw", &task);
+    model_support_spots(gw, "gw", &task);
     assert_true(isnan(gw->density_per_m2) && isnan(gw->radius_m));
 }
 

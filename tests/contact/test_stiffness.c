@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Contact stiffness k = -dP/d separation: in closed form, against the slopes of the separations, and by Barber. */
 #include "contact/gaussian.h"
-#include "contact/statistical.h"
 #include "model_support.h"
 
 enum { LOADS = 41 };
@@ -9,28 +8,16 @@ enum { LOADS = 41 };
 static struct model_task task_of(const struct spectrum *spectrum, const struct asperities *asperities,
                                  const struct material_pair *pair, const double *loads)
 {
-    return (struct model_task){.spectrum = spectrum,
-                               .asperities = asperities,
-                               .pair = pair,
-                               .loads = loads,
-                               .load_count = LOADS,
-                               .wanted = MODEL_EVERYTHING | QUANTITY_BIT(QUANTITY_STIFFNESS),
-                               .tolerance = 1e-8,
-                               .hardness_Pa = material_hardness_ratio * pair->yield_strength_Pa};
-}
-
-static struct asperities some_asperities(void)
-{
-    struct asperities asperities;
-    const struct roughness roughness = {.rq_m = 1e-6, .m0_m2 = 1e-12, .m2 = 0.01, .m4_per_m2 = 1e9};
-    expect_ok(roughness_asperities, &asperities, &roughness);
-    return asperities;
+    struct model_task task = model_support_task(spectrum, pair, loads, LOADS);
+    task.asperities = asperities;
+    task.wanted |= QUANTITY_BIT(QUANTITY_STIFFNESS);
+    return task;
 }
 
 /** GW: P ~ F_3/2(d), of which F' = -3/2 F_1/2 and d separation = sigma_s dd: k = 3/2 P F_1/2/(F_3/2 sigma_s). */
 TEST_CASE(of_greenwood_and_williamson_in_closed_form)
 {
-    const struct asperities asperities = some_asperities();
+    const struct asperities asperities = model_support_asperities(1e-12, 0.01, 1e9);
     const struct material_pair tin = model_support_tin();
     double load[LOADS];
     struct contact_point points[LOADS + 1];
@@ -52,7 +39,7 @@ TEST_CASE(is_the_slope_of_the_separation)
     static const char *const models[] = {
         "gw", "jg", "multiscale-elastic", "multiscale-plastic", "corrected-persson", "corrected-persson-plastic",
         "cmy"};
-    const struct asperities asperities = some_asperities();
+    const struct asperities asperities = model_support_asperities(1e-12, 0.01, 1e9);
     const struct material_pair tin = model_support_tin();
     struct spectrum spectrum = model_support_law(1e-3, 0.01, 1.6, 40);
     double load[LOADS];
@@ -68,7 +55,6 @@ TEST_CASE(is_the_slope_of_the_separation)
             assert_near(points[i].value[QUANTITY_STIFFNESS], slope, 5e-4);
         }
     }
-    spectrum_free(&spectrum);
 }
 
 /** Barber, Proc. R. Soc. A 459 (2003) 53: conductance and stiffness of elastic contact are the same number,
@@ -90,5 +76,4 @@ TEST_CASE(of_elastic_contact_goes_with_its_conductance)
     curve = model_support_run(points, "multiscale-elastic", &task);
     for (size_t i = 0; i < curve.count; i++)
         assert_true(isnan(points[i].value[QUANTITY_STIFFNESS]));
-    spectrum_free(&spectrum);
 }

@@ -28,11 +28,6 @@ static struct strip solved(const struct strip_rows *rows, size_t surrogates)
     return strip;
 }
 
-static double share(double logit)
-{
-    return 1 / (1 + exp(-logit));
-}
-
 /** A wave is its own strip: Westergaard's p = pi D/L sin²(pi A/2) and l = -(L/pi) ln sin(pi A/2). Mirrored, two. */
 TEST_CASE(sinusoid)
 {
@@ -45,7 +40,7 @@ TEST_CASE(sinusoid)
         assert_in_range(strip.own.count, 8, STRIP_LOADS);
         assert_true(strip.transforms > 0);
         for (size_t k = 0; k < strip.own.count; k++) {
-            double area = share(strip.own.logit[k]), sine = sin(M_PI * area / 2);
+            double area = logistic(strip.own.logit[k]), sine = sin(M_PI * area / 2);
             if (area < 0.1 || area > 0.97) /* a wave hardly touches, or hardly gapes: few points */
                 continue;
             assert_near(exp(strip.own.value[k][0]), M_PI * amplitude_m / length_m * sine * sine, 0.13);
@@ -194,7 +189,7 @@ TEST_CASE(gap_of_the_open_points)
     struct direct_contact contact;
     size_t count = 0;
     expect_ok(direct_contact_make, &contact, height, &(struct direct_grid){POINTS, 1, 1e-6, false, false});
-    assert_true(share(strip.own.logit[0]) * POINTS >= 0.3 * STRIP_LEAST_POINTS); /* of fewer it says nothing */
+    assert_true(logistic(strip.own.logit[0]) * POINTS >= 0.3 * STRIP_LEAST_POINTS); /* of fewer it says nothing */
     for (size_t k = 0; k < strip.own.count; k++) {
         struct direct_contact_load load = {exp(strip.own.value[k][0]), INFINITY, 1e-9, true, NULL};
         expect_ok(direct_contact_solve, &contact, &load);
@@ -256,31 +251,22 @@ TEST_CASE(against_direct_solutions)
     for (size_t i = 0; i < 1000; i++)
         given[i] = log(((double)i + 0.5) / 1000);
     for (int pits = 0; pits < 2; pits++) {
-        double loads[TRUTHS], square = 0, rms[3];
+        double loads[TRUTHS], rms[3];
         struct direct_point truth[TRUTHS];
-        struct spectrum mean = {0}, one;
-        struct persson persson;
         expect_ok(direct_surface_make, height, SIDE, &(struct direct_recipe){variance, NULL, pits ? given : NULL, 1000},
                   1);
         for (size_t k = 0; k < SIDE * SIDE; k++)
             height[k] *= 1e-6;
-        for (size_t r = 0; r < LINES; r++) {
+        for (size_t r = 0; r < LINES; r++)
             memcpy(row + r * SIDE, height + r * SIDE / LINES * SIDE, SIDE * sizeof *row);
-            expect_ok(spectrum_compute, &one, row + r * SIDE, SIDE, 1e-6, SPECTRUM_WINDOW_NONE);
-            if (r == 0)
-                expect_ok(spectrum_copy, &mean, &one);
-            else
-                spectrum_average(&mean, &one, r);
-            spectrum_free(&one);
-        }
-        square = spectrum_moment(&mean, 1);
+        struct spectrum mean = model_support_spectrum(row, LINES, SIDE, 1e-6);
+        struct persson persson = model_support_persson(&mean);
         for (size_t i = 0; i < TRUTHS; i++)
-            loads[i] = sqrt(2 * square) * (double[TRUTHS]){0.02, 0.08, 0.25, 0.6}[i];
+            loads[i] = sqrt(2 * persson.m2) * (double[TRUTHS]){0.02, 0.08, 0.25, 0.6}[i];
         struct direct_ladder_def ladder = {loads, TRUTHS, INFINITY, 1e-5, true, NULL};
         struct direct_contact contact;
         expect_ok(direct_contact_make, &contact, height, &(struct direct_grid){SIDE, SIDE, 1e-6, false, false});
         expect_ok(direct_ladder_run, truth, &contact, &ladder);
-        expect_ok(persson_make, &persson, &mean, 0);
         struct strip_rows rows = {row, LINES, SIDE, 1e-6, true, NULL, 0};
         struct strip strip = solved(&rows, STRIP_SURROGATES);
         errors(rms, NULL, &persson, loads, truth);
@@ -290,8 +276,6 @@ TEST_CASE(against_direct_solutions)
         for (int q = 0; q < 3; q++)
             assert_true(rms[q] < 0.25);
         direct_contact_free(&contact);
-        persson_free(&persson);
-        spectrum_free(&mean);
     }
 }
 

@@ -4,9 +4,8 @@
 #ifndef HARD_SUPPORT_H
 #define HARD_SUPPORT_H
 
+#include "contact/model_support.h"
 #include "hard_case.h"
-#include "material/material.h"
-#include "spectrum/spectrum.h"
 
 #include <fenv.h>
 #include <gsl/gsl_errno.h>
@@ -19,6 +18,8 @@ static int hard_start(void **state)
 }
 TEST_GROUP(hard_start, NULL)
 
+static const double hard_length_m = 3e-4; /* of a scan */
+
 /** Tin, but with S_y/E' and nu as given. */
 static inline struct material_pair hard_pair(double yield_ratio, double nu)
 {
@@ -26,21 +27,6 @@ static inline struct material_pair hard_pair(double yield_ratio, double nu)
     material.poisson_ratio = nu;
     material.yield_strength_Pa = yield_ratio * material.youngs_modulus_Pa / (1 - nu * nu);
     return material_pair(&material, MATERIAL_COUNTERFACE_RIGID, NULL);
-}
-
-static inline struct material_pair hard_tin(void)
-{
-    return material_pair(material_find("tin"), MATERIAL_COUNTERFACE_RIGID, NULL);
-}
-
-/** Delta = alpha lambda^gamma of a scan of 0.3 mm. To be freed. */
-static inline struct spectrum hard_law(double alpha, double gamma, size_t count)
-{
-    struct spectrum spectrum = {malloc(count * sizeof(double)), count, 3e-4, false};
-    assert_non_null(spectrum.amplitude_m);
-    for (size_t i = 0; i < count; i++)
-        spectrum.amplitude_m[i] = alpha * pow(3e-4 / (double)(i + 1), gamma);
-    return spectrum;
 }
 
 /* The ends of what metals reach and beyond. */

@@ -23,7 +23,7 @@ TEST_CASE(yield_onset_from_both_sides)
 {
     for (int y = -1; y < HARD_YIELD_RATIOS; y++)
         for (int n = 0; n < HARD_NUS; n++) {
-            struct material_pair pair = y < 0 ? hard_tin() : hard_pair(hard_yield_ratios[y], hard_nus[n]);
+            struct material_pair pair = y < 0 ? model_support_tin() : hard_pair(hard_yield_ratios[y], hard_nus[n]);
             struct asperity asperity = asperity_make(radius_m, &pair, ASPERITY_JG);
             double onset = asperity_yield_onset * asperity.critical_interference_m;
             struct asperity_contact below = press(&asperity, ASPERITY_JG, onset * (1 - 1e-12));

@@ -7,17 +7,15 @@
 
 HARD_CASES("Direct solutions")
 
-/** Heights of a square surface, cell length 1, of a law cut off at `waves` waves. To be freed. */
+/** Heights of a square surface, cell length 1, of a law cut off at `waves` waves. */
 static double *surface_of(double gamma, double waves, size_t n, uint64_t seed)
 {
     struct direct_law law = {1e-3, gamma, 1 / waves, 1, 1};
     struct direct_spectrum spectrum;
-    struct status status = {0};
     double *height = support_room(n * n * sizeof *height);
-    if (direct_spectrum_of_law(&spectrum, &law, &status) != STATUS_OK ||
-        direct_surface_make(height, n, &(struct direct_recipe){direct_spectrum_variance, &spectrum, NULL, 0}, seed,
-                            &status) != STATUS_OK)
-        fail_msg("%s", status.message);
+    expect_ok(direct_spectrum_of_law, &spectrum, &law);
+    expect_ok(direct_surface_make, height, n, &(struct direct_recipe){direct_spectrum_variance, &spectrum, NULL, 0},
+              seed);
     direct_spectrum_free(&spectrum);
     return height;
 }
@@ -34,9 +32,7 @@ static struct direct_point solved(struct direct_contact *contact, double load, d
 {
     struct direct_ladder_def ladder = {&load, 1, hardness, 1e-9, true, NULL};
     struct direct_point point;
-    struct status status = {0};
-    if (direct_ladder_run(&point, contact, &ladder, &status) != STATUS_OK)
-        fail_msg("%g: %s", load, status.message);
+    expect_ok(direct_ladder_run, &point, contact, &ladder);
     const struct direct_quantities *q = &point.quantities;
     assert_true(point.exists && q->contact_points > 0 && point.patches > 0);
     assert_true(q->area_ratio >= 0 && q->area_ratio <= 1);
@@ -231,17 +227,15 @@ TEST_CASE(no_answer)
     hard_case("a tolerance of 1e-300", "iterations without end", "an error: did not converge", "answers",
               direct_ladder_run(&point, &contact, &ladder, &status) != STATUS_MODEL, 0);
     assert_non_null(strstr(status.message, "not converge"));
-    assert_int_equal(direct_spectrum_of_law(&spectrum, &law, &(struct status){0}), STATUS_OK);
+    expect_ok(direct_spectrum_of_law, &spectrum, &law);
     struct direct_ensemble_def def = ensemble_of(&spectrum, N, &load, 1);
     def.ladder.tolerance = 1e-300;
     def.ladder.resistance = false;
-    status = (struct status){0};
     expect_fails(STATUS_MODEL, "not converge", direct_ensemble_run, &found, &def);
     assert_true(!found.point && !found.seed_point);
 
     (void)solved(&contact, load, INFINITY);
     double length;
-    status = (struct status){0};
     expect_fails(STATUS_MODEL, "not converge", direct_constriction_of_contact, &length, &contact, 1e-300, NULL);
 
     static const double wrong[] = {-1, 0, NAN, INFINITY, -INFINITY};

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* All models as a run calls them, from no load to far beyond full contact of each. */
-#include "contact/model.h"
 #include "hard_support.h"
 
 HARD_CASES("All models as a run calls them")
@@ -12,15 +11,25 @@ enum { LOADS = 37, SCALES = 600 };
 static struct model_task task_of(const struct spectrum *spectrum, const struct asperities *surface,
                                  const struct material_pair *pair, const double *loads, size_t count)
 {
-    return (struct model_task){.spectrum = spectrum,
-                               .asperities = surface,
-                               .pair = pair,
-                               .loads = loads,
-                               .load_count = count,
-                               .wanted = EVERYTHING,
-                               .tolerance = 1e-10,
-                               .sinusoid_fit = SINUSOID_FIT_THESIS,
-                               .hardness_Pa = 2.84 * pair->yield_strength_Pa};
+    struct model_task task = model_support_task(spectrum, pair, loads, count);
+    task.asperities = surface;
+    task.wanted = EVERYTHING;
+    task.tolerance = 1e-10;
+    return task;
+}
+
+static struct model_curve run(struct contact_point *points, size_t model, const struct model_task *task)
+{
+    return model_support_run(points, model_rows[model]->name, task);
+}
+
+static struct asperities asperities_of(const struct spectrum *spectrum)
+{
+    struct roughness roughness = {0};
+    struct asperities surface;
+    roughness_from_spectrum(&roughness, spectrum);
+    expect_ok(roughness_asperities, &surface, &roughness);
+    return surface;
 }
 
 /** A number is there where the model computes it, and may be missing only where its row says so. */
@@ -40,11 +49,9 @@ static void check_point(const struct model_row *row, const struct contact_point 
     for (int q = 0; q < QUANTITY_COUNT; q++)
         if (!quantity_rows[q].from) /* what is made of them is added later */
             check_number(row, point, (enum quantity)q);
-    const double resistances[] = {point->value[QUANTITY_ECR], point->value[QUANTITY_TCR],
-                                  point->value[QUANTITY_TCR_SCALE_DEPENDENT]};
-    for (int i = 0; i < 3; i++)
-        assert_true(isnan(resistances[i]) || isnan(full_load) ||
-                    ((resistances[i] > 0) == (point->value[QUANTITY_LOAD] < full_load) && resistances[i] >= 0));
+    for (int q = QUANTITY_ECR; q <= QUANTITY_TCR_SCALE_DEPENDENT; q++)
+        assert_true(isnan(point->value[q]) || isnan(full_load) ||
+                    ((point->value[q] > 0) == (point->value[QUANTITY_LOAD] < full_load) && point->value[q] >= 0));
     if (isgreaterequal(point->value[QUANTITY_LOAD], full_load)) /* quiet where there is none */
         assert_true(point->value[QUANTITY_AREA] == 1);
 }
@@ -65,13 +72,10 @@ static void check_ends(const struct model_curve *curve, const struct model_row *
     assert_true(curve->full_load > 0 && curve->full_load < 1e6);
     check_point(row, &curve->full, curve->full_load);
     bool empty = row->may_be_empty & QUANTITY_BIT(QUANTITY_ECR);
-    assert_true(last->value[QUANTITY_AREA] == 1 &&
-                (empty ? isnan(last->value[QUANTITY_ECR]) : last->value[QUANTITY_ECR] == 0));
-    if (row->asperity_model)
-        assert_true(last->value[QUANTITY_LOAD] == curve->full_load && last->value[QUANTITY_ADJUSTED] == 0);
-    else
-        assert_true(last->value[QUANTITY_LOAD] == 1e6 &&
-                    (empty ? isnan(last->value[QUANTITY_SEPARATION]) : last->value[QUANTITY_SEPARATION] == 0));
+    assert_true(last->value[QUANTITY_AREA] == 1);
+    assert_same_number(last->value[QUANTITY_ECR], empty ? NAN : 0, 0);
+    assert_true(last->value[QUANTITY_LOAD] == (row->asperity_model ? curve->full_load : 1e6));
+    assert_same_number(last->value[row->asperity_model ? QUANTITY_ADJUSTED : QUANTITY_SEPARATION], empty ? NAN : 0, 0);
     if (!empty)
         assert_true(isfinite(curve->closed_load) && curve->closed_load >= curve->full_load);
 }
@@ -107,72 +111,59 @@ static void check_curve(const struct model_curve *curve, const struct model_row 
 TEST_CASE(loads_beyond_full_contact)
 {
     static const double alphas[] = {1e-3, 0.085, 1e3}, gammas[] = {0.5, 1.5, 2};
-    struct material_pair pair = hard_tin();
+    struct material_pair pair = model_support_tin();
     double loads[LOADS];
-    for (int i = 0; i < LOADS; i++)
-        loads[i] = pow(10, i - 30);
+    model_support_loads(loads, LOADS, 1e-30, 1e6);
     for (int k = 0; k < 3; k++)
         for (int closure = 0; closure < SINUSOID_FIT_COUNT; closure++) {
-            struct spectrum spectrum = hard_law(alphas[k], gammas[k], SCALES);
-            struct roughness roughness = {0};
-            struct asperities surface;
-            roughness_from_spectrum(&roughness, &spectrum);
-            expect_ok(roughness_asperities, &surface, &roughness);
+            struct spectrum spectrum = model_support_law(hard_length_m, alphas[k], gammas[k], SCALES);
+            struct asperities surface = asperities_of(&spectrum);
             struct model_task task = task_of(&spectrum, &surface, &pair, loads, LOADS);
             task.sinusoid_fit = (enum sinusoid_fit_id)closure;
             for (size_t m = 0; m < model_count; m++) {
                 struct contact_point points[LOADS + 1];
-                struct model_curve curve = {.points = points};
-                expect_ok(model_run, &curve, model_rows[m], &task);
+                struct model_curve curve = run(points, m, &task);
                 check_curve(&curve, model_rows[m], &task);
             }
-            spectrum_free(&spectrum);
         }
 }
 
 /** All loads beyond full contact, and a single one. */
 TEST_CASE(nothing_but_full_contact)
 {
-    struct material_pair pair = hard_tin();
-    struct spectrum spectrum = hard_law(0.085, 1.5, SCALES);
-    struct roughness roughness = {0};
-    struct asperities surface;
-    roughness_from_spectrum(&roughness, &spectrum);
-    expect_ok(roughness_asperities, &surface, &roughness);
+    struct material_pair pair = model_support_tin();
+    struct spectrum spectrum = model_support_law(hard_length_m, 0.085, 1.5, SCALES);
+    struct asperities surface = asperities_of(&spectrum);
     const double loads[] = {1e3, 1e6, 1e100};
     for (size_t count = 1; count <= 3; count++)
         for (size_t m = 0; m < model_count; m++) {
             struct contact_point points[4];
-            struct model_curve curve = {.points = points};
             struct model_task task = task_of(&spectrum, &surface, &pair, loads, count);
-            expect_ok(model_run, &curve, model_rows[m], &task);
+            struct model_curve curve = run(points, m, &task);
             bool silent = model_rows[m]->largest_area > 0 && !model_rows[m]->asperity_model;
             assert_int_equal(curve.count, silent ? 0 : model_rows[m]->asperity_model ? 1 : count);
             assert_int_equal(curve.exists, !silent);
             bool empty = model_rows[m]->may_be_empty & QUANTITY_BIT(QUANTITY_ECR);
-            for (size_t i = 0; i < curve.count; i++)
+            for (size_t i = 0; i < curve.count; i++) {
                 hard_case("loads of 1e3 to 1e100, beyond complete contact alone", "a curve without a point, or inf",
                           "the point of complete contact; models that end before say nothing", "area, difference",
                           fabs(points[i].value[QUANTITY_AREA] - 1), 0);
-            for (size_t i = 0; i < curve.count; i++)
-                assert_true(points[i].value[QUANTITY_AREA] == 1 &&
-                            (empty ? isnan(points[i].value[QUANTITY_ECR]) : points[i].value[QUANTITY_ECR] == 0) &&
-                            !isgreater(points[i].value[QUANTITY_TCR_SCALE_DEPENDENT], 0));
+                assert_same_number(points[i].value[QUANTITY_ECR], empty ? NAN : 0, 0);
+                assert_true(!isgreater(points[i].value[QUANTITY_TCR_SCALE_DEPENDENT], 0));
+            }
         }
-    spectrum_free(&spectrum);
 }
 
 /** Without asperities (sigma_s² <= 0) the statistical models have no curve and the multiscale ones stay. */
 TEST_CASE(no_asperities)
 {
-    struct material_pair pair = hard_tin();
-    struct spectrum spectrum = hard_law(0.085, 1.5, SCALES);
+    struct material_pair pair = model_support_tin();
+    struct spectrum spectrum = model_support_law(hard_length_m, 0.085, 1.5, SCALES);
     const double loads[] = {1e-9, 1e-3};
     struct model_task task = task_of(&spectrum, NULL, &pair, loads, 2);
     for (size_t m = 0; m < model_count; m++) {
         struct contact_point points[3];
-        struct model_curve curve = {.points = points};
-        expect_ok(model_run, &curve, model_rows[m], &task);
+        struct model_curve curve = run(points, m, &task);
         assert_true(curve.exists ==
                     !(model_rows[m]->asperity_model || model_rows[m]->uses_strip || model_rows[m]->uses_map));
         bool ends = model_rows[m]->plastic && model_rows[m]->largest_area > 0;
@@ -181,21 +172,17 @@ TEST_CASE(no_asperities)
                   "statistical models have no curve, the others theirs", "integrals of what has no curve",
                   curve.exists ? 0 : (double)curve.evaluations, 0);
     }
-    spectrum_free(&spectrum);
 }
 
 /** What is not wanted is NaN, needs no property of the material and changes nothing else. */
 TEST_CASE(every_choice_of_quantities)
 {
-    struct material_pair known = hard_tin(), bare = known;
+    struct material_pair known = model_support_tin(), bare = known;
     bare.resistivity_ohm_m = bare.conductivity_W_per_mK = NAN;
     bare.mean_free_path_m[0] = bare.mean_free_path_m[1] = NAN;
     bare.side_conductivity_W_per_mK[0] = bare.side_conductivity_W_per_mK[1] = NAN;
-    struct spectrum spectrum = hard_law(0.085, 1.5, SCALES);
-    struct roughness roughness = {0};
-    struct asperities surface;
-    roughness_from_spectrum(&roughness, &spectrum);
-    expect_ok(roughness_asperities, &surface, &roughness);
+    struct spectrum spectrum = model_support_law(hard_length_m, 0.085, 1.5, SCALES);
+    struct asperities surface = asperities_of(&spectrum);
     const double loads[] = {1e-30, 1e-9, 1e-6, 1e-3, 1e6};
     for (size_t m = 0; m < model_count; m++)
         for (unsigned wanted = 0; wanted <= EVERYTHING; wanted++) {
@@ -203,31 +190,22 @@ TEST_CASE(every_choice_of_quantities)
                 continue;
             bool conducts = wanted & (QUANTITY_RESISTANCES);
             struct contact_point all[6], some[6];
-            struct model_curve reference = {.points = all}, curve = {.points = some};
             struct model_task task = task_of(&spectrum, &surface, &known, loads, 5);
-            expect_ok(model_run, &reference, model_rows[m], &task);
+            struct model_curve reference = run(all, m, &task);
             task.wanted = wanted;
             task.pair = conducts ? &known : &bare;
-            expect_ok(model_run, &curve, model_rows[m], &task);
+            struct model_curve curve = run(some, m, &task);
             assert_int_equal(curve.count, reference.count);
             for (size_t i = 0; i < curve.count; i++) {
                 hard_case("every choice of quantities, without the properties of those left out",
                           "NaN of a resistivity that is not known in an area", "what is asked for does not change",
                           "area, relative", off_by(some[i].value[QUANTITY_AREA], all[i].value[QUANTITY_AREA]), 1e-9);
-                const double got[] = {some[i].value[QUANTITY_ECR], some[i].value[QUANTITY_TCR],
-                                      some[i].value[QUANTITY_TCR_SCALE_DEPENDENT]};
-                const double full[] = {all[i].value[QUANTITY_ECR], all[i].value[QUANTITY_TCR],
-                                       all[i].value[QUANTITY_TCR_SCALE_DEPENDENT]};
-                for (int k = 0; k < 3; k++)
-                    if ((wanted & (QUANTITY_BIT(QUANTITY_ECR) << k)) && !isnan(full[k]))
-                        assert_near(got[k], full[k], 1e-9);
-                    else
-                        assert_true(isnan(got[k]));
+                for (int q = QUANTITY_ECR; q <= QUANTITY_TCR_SCALE_DEPENDENT; q++)
+                    assert_same_number(some[i].value[q], wanted & QUANTITY_BIT(q) ? all[i].value[q] : NAN, 1e-9);
                 assert_true((wanted & QUANTITY_BIT(QUANTITY_SEPARATION)) || model_rows[m]->asperity_model ||
                             isnan(some[i].value[QUANTITY_SEPARATION]));
             }
         }
-    spectrum_free(&spectrum);
 }
 
 /** Two bodies that have nothing in common: what is softer, and what conducts worse, decides. */
@@ -248,15 +226,14 @@ TEST_CASE(two_bodies_of_huge_ratio)
                   off_by(pair.resistivity_ohm_m, first.resistivity_ohm_m * (1 + factors[f]) / 2), 1e-12);
         if (factors[f] > 1e12)
             continue;
-        struct spectrum spectrum = hard_law(0.085, 1.5, 100);
+        struct spectrum spectrum = model_support_law(hard_length_m, 0.085, 1.5, 100);
         const double loads[] = {1e-9, 1e-3};
         for (size_t m = 0; m < model_count; m++) {
             struct contact_point points[2][3];
-            struct model_curve curve = {.points = points[0]}, alone = {.points = points[1]};
             struct model_task task = task_of(&spectrum, NULL, &pair, loads, 2);
-            expect_ok(model_run, &curve, model_rows[m], &task);
+            struct model_curve curve = run(points[0], m, &task);
             task.pair = &rigid;
-            expect_ok(model_run, &alone, model_rows[m], &task);
+            struct model_curve alone = run(points[1], m, &task);
             assert_int_equal(curve.count, alone.count);
             for (size_t i = 0; i < curve.count; i++)
                 hard_case("areas of such bodies, every model", "a pressure of the wrong body",
@@ -265,7 +242,6 @@ TEST_CASE(two_bodies_of_huge_ratio)
                               fmin(factors[f], 1e9),
                           2);
         }
-        spectrum_free(&spectrum);
     }
 }
 
@@ -273,16 +249,14 @@ TEST_CASE(two_bodies_of_huge_ratio)
 TEST_CASE(a_million_loads)
 {
     enum { MANY = 1000000 / HARD_COARSER };
-    struct material_pair pair = hard_tin();
-    struct spectrum spectrum = hard_law(0.085, 1.5, 12);
+    struct material_pair pair = model_support_tin();
+    struct spectrum spectrum = model_support_law(hard_length_m, 0.085, 1.5, 12);
     double *loads = support_room(MANY * sizeof *loads);
     struct contact_point *points = support_room((MANY + 1) * sizeof *points);
-    assert_true(loads && points);
     for (size_t i = 0; i < MANY; i++)
         loads[i] = 1e-9 * exp(log(1e6) * (double)i / MANY);
     struct model_task task = task_of(&spectrum, NULL, &pair, loads, MANY);
-    struct model_curve curve = {.points = points};
-    expect_ok(model_run, &curve, model_rows[model_named("multiscale-elastic")], &task);
+    struct model_curve curve = model_support_run(points, "multiscale-elastic", &task);
     hard_case("10^6 loads of one curve", "memory, or points that are left out", "one point for each",
               "loads without a point", (double)MANY - (double)curve.count, 0);
     double fall = 0;
@@ -290,5 +264,4 @@ TEST_CASE(a_million_loads)
         fall = fmax(fall, 1 - points[i].value[QUANTITY_AREA] / points[i - 1].value[QUANTITY_AREA]);
     hard_case("10^6 loads: neighbours 1e-5 apart", "rounding turns the curve back",
               "only the published step at p/p* = 0.8 does", "fall of the area, relative", fall, 5e-4);
-    spectrum_free(&spectrum);
 }

@@ -80,7 +80,7 @@ TEST_CASE(alleviation_keeps_its_digits)
                   1e-14);
     assert_true(constriction_alleviation(1, 0) == 0);
     assert_true(constriction_alleviation(0, 1) == 1);
-    struct material_pair pair = hard_tin();
+    struct material_pair pair = model_support_tin();
     for (int closure = 0; closure < SINUSOID_FIT_COUNT; closure++) {
         struct sinusoid_scale scale = sinusoid_scale(1e-9, frequency, &pair, false);
         double previous = 1;
@@ -234,7 +234,7 @@ TEST_CASE(link_at_four_fifths)
 /** A scale of no amplitude is flat; one of denormal amplitude is a scale like any other. */
 TEST_CASE(vanishing_amplitudes)
 {
-    struct material_pair pair = hard_tin();
+    struct material_pair pair = model_support_tin();
     static const double pressures[] = {5e-324, 1e-300, 1, 1e300};
     for (int plastic = 0; plastic < 2; plastic++)
         for (int i = 0; i < 4; i++) {

@@ -28,16 +28,21 @@ TEST_CASE(test_reference_values)
         if (weighted)
             assert_int_equal(read_list(weight, table_text(&table, r, "weights")), count);
         struct interval out = scans(value, weighted ? weight : NULL, count, 0.95);
-        assert_near(out.mean, table_number(&table, r, "mean"), 1e-12);
-        assert_near(out.s, table_number(&table, r, "s"), 1e-12);
-        assert_near(out.t, table_number(&table, r, "t"), 1e-12);
-        assert_near(out.low, table_number(&table, r, "low"), 1e-12);
-        assert_near(out.high, table_number(&table, r, "high"), 1e-12);
-        assert_near(out.degrees, table_number(&table, r, "degrees"), 1e-12);
-        assert_near(out.sd, table_number(&table, r, "sd"), 1e-12);
-        double half = interval_next_half_width(&out, 1);
-        assert_near(out.mean - half, table_number(&table, r, "next_low"), 1e-12);
-        assert_near(out.mean + half, table_number(&table, r, "next_high"), 1e-12);
+        const double half = interval_next_half_width(&out, 1);
+        const struct {
+            const char *column;
+            double value;
+        } numbers[] = {{"mean", out.mean},
+                       {"s", out.s},
+                       {"t", out.t},
+                       {"low", out.low},
+                       {"high", out.high},
+                       {"degrees", out.degrees},
+                       {"sd", out.sd},
+                       {"next_low", out.mean - half},
+                       {"next_high", out.mean + half}};
+        for (size_t n = 0; n < sizeof numbers / sizeof *numbers; n++)
+            assert_near(numbers[n].value, table_number(&table, r, numbers[n].column), 1e-12);
     }
 }
 
@@ -122,21 +127,22 @@ TEST_CASE(test_units_do_not_matter)
     assert_near(after.s, 1e-6 * before.s, 1e-8);
 }
 
-static void assert_refused(const double *value, const double *weight, size_t count, const char *why)
-{
-    struct interval out;
-    expect_fails(STATUS_SCAN, why, interval_scans, &out, value, weight, count, 0.95);
-}
-
 TEST_CASE(test_refusals)
 {
-    const double one[1] = {1}, bad[3] = {1, NAN, 2}, endless[3] = {1, 2, INFINITY}, good[3] = {1, 2, 3};
-    const double none[3] = {1, 0, 1}, no_number[3] = {1, NAN, 1};
-    assert_refused(one, NULL, 1, "at least 2 values; there is 1");
-    assert_refused(bad, NULL, 3, "value 2 of 3");
-    assert_refused(endless, NULL, 3, "value 3 of 3");
-    assert_refused(good, none, 3, "weight 2 of 3");
-    assert_refused(good, no_number, 3, "weight 2 of 3");
+    static const struct {
+        double value[3], weight[3];
+        size_t count;
+        const char *why;
+    } cases[] = {{{1}, {1}, 1, "at least 2 values; there is 1"},
+                 {{1, NAN, 2}, {1, 1, 1}, 3, "value 2 of 3"},
+                 {{1, 2, INFINITY}, {1, 1, 1}, 3, "value 3 of 3"},
+                 {{1, 2, 3}, {1, 0, 1}, 3, "weight 2 of 3"},
+                 {{1, 2, 3}, {1, NAN, 1}, 3, "weight 2 of 3"}};
+    for (size_t c = 0; c < sizeof cases / sizeof *cases; c++) {
+        struct interval out;
+        expect_fails(STATUS_SCAN, cases[c].why, interval_scans, &out, cases[c].value, cases[c].weight, cases[c].count,
+                     0.95);
+    }
 }
 
 TEST_CASE(test_pieces_reach_from_end_to_end)

@@ -28,11 +28,8 @@ TEST_CASE(test_answers_that_are_not_there)
 TEST_CASE(test_between_loads)
 {
     const double ln_load[3] = {-9, -6, -2}, s[3] = {0.1, 0.4, 0.2};
-    assert_near(single_scan_s_at(-20, ln_load, s, 3), 0.1, 1e-15);
-    assert_near(single_scan_s_at(-9, ln_load, s, 3), 0.1, 1e-15);
-    assert_near(single_scan_s_at(-7, ln_load, s, 3), 0.3, 1e-15);
-    assert_near(single_scan_s_at(-6, ln_load, s, 3), 0.4, 1e-15);
-    assert_near(single_scan_s_at(-3, ln_load, s, 3), 0.25, 1e-15);
-    assert_near(single_scan_s_at(0, ln_load, s, 3), 0.2, 1e-15);
+    static const double expected[][2] = {{-20, 0.1}, {-9, 0.1}, {-7, 0.3}, {-6, 0.4}, {-3, 0.25}, {0, 0.2}};
+    for (size_t i = 0; i < 6; i++)
+        assert_near(single_scan_s_at(expected[i][0], ln_load, s, 3), expected[i][1], 1e-15);
     assert_near(single_scan_s_at(0, ln_load, s, 1), 0.1, 1e-15);
 }
