@@ -125,8 +125,8 @@ json_t *support_json(const char *text)
 json_t *json_at(const json_t *root, const char *path)
 {
     const json_t *at = root;
-    for (size_t length; at && *path; path += length + (path[length] == '/')) {
-        length = strcspn(path, "/");
+    for (size_t length; at && *path; path += length + (path[length] != '\0')) {
+        length = strcspn(path, "./");
         at = json_is_array(at) ? json_array_get(at, strtoul(path, NULL, 10)) : json_object_getn(at, path, length);
     }
     return (json_t *)at;

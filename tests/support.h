@@ -107,7 +107,7 @@ struct text *support_text(void);
 struct words *support_words(void);
 /** A JSON value, the test's; fails it when the text is none, or one with a key twice. */
 json_t *support_json(const char *text);
-/** What stands at a path such as "surfaces/0/lay"; NULL: nothing. */
+/** What stands at a path such as "surfaces/0/lay" or "surfaces.0.lay"; NULL: nothing. */
 json_t *json_at(const json_t *root, const char *path);
 /** The same as a number; NaN: it is none. */
 double json_number_at(const json_t *root, const char *path);

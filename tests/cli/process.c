@@ -128,22 +128,6 @@ void process_expect_parts(struct process process, bool out, const char *const *p
     support_parts(out ? process.out : process.err, parts, true, file, line);
 }
 
-json_t *json_at(const json_t *json, const char *path)
-{
-    char *parts = strdup(path);
-    for (char *rest = parts, *part; (part = strsep(&rest, "."));)
-        json = json_is_array(json) ? json_array_get(json, strtoul(part, NULL, 10)) : json_object_get(json, part);
-    free(parts);
-    return (json_t *)json;
-}
-
-double json_number_at(const json_t *json, const char *path)
-{
-    if (!json_is_number(json_at(json, path)))
-        fail_msg("no number '%s'", path);
-    return json_number_value(json_at(json, path));
-}
-
 const char *json_text_at(const json_t *json, const char *path)
 {
     if (!json_is_string(json_at(json, path)))
