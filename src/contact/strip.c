@@ -176,12 +176,10 @@ static enum status_code solve_strip(struct strip_curve *curve, size_t *convoluti
                                     size_t index, struct status *status)
 {
     struct direct_contact made, *contact = &made;
-    const bool mirrored = index == 0 && solver->rows->rows == 1 && !solver->rows->periodic;
-    const size_t points = solver->points,
-                 images = mirrored ? 2 : 1; /* a row's mirror image needs no points of its own */
+    const size_t points = solver->points;
     const double spacing_m = solver->rows->spacing_m, *strip_m = solver->strip_m + index * points;
     double slope = sqrt(mean_square_slope(strip_m, points, row_length(solver->rows), spacing_m));
-    const struct direct_grid grid = {points / images, 1, spacing_m, mirrored, true};
+    const struct direct_grid grid = {points, 1, spacing_m, false, true};
     if (direct_contact_make(contact, strip_m, &grid, status) != STATUS_OK)
         return status->code;
     const size_t step = solver->rough ? ROUGH_STEP : 1;
@@ -194,11 +192,11 @@ static enum status_code solve_strip(struct strip_curve *curve, size_t *convoluti
         if (direct_contact_solve(contact, &load, &problem) == STATUS_OK) {
             struct direct_quantities found = direct_quantities_of(contact, &load);
             found.contact_points += overlapping(contact) / 2;
-            enough = images * found.contact_points >= STRIP_LEAST_POINTS;
+            enough = found.contact_points >= STRIP_LEAST_POINTS;
             if (enough)
                 (void)add_solution(curve, contact, &load, &found, &problem);
         }
-        *convolutions += contact->convolutions * contact->kernel.points;
+        *convolutions += contact->convolutions;
         if (problem.code == STATUS_MODEL)
             curve->unsolved++; /* the next one starts anew */
         else if (problem.code != STATUS_OK)
@@ -247,7 +245,7 @@ static enum status_code solve_task(void *context, size_t index, struct threads_t
         return STATUS_OK;
     *(index == 0 ? &out->own : &out->surrogate[out->surrogates]) = curve;
     out->unsolved += curve.unsolved;
-    out->transforms += convolutions;
+    out->transforms += convolutions * solver->points;
     out->surrogates += index > 0 && problem.code == STATUS_OK;
     if (problem.code == STATUS_OK ||
         (index > 0 && problem.code == STATUS_MODEL && index - out->surrogates < solver->surrogates))
@@ -313,7 +311,7 @@ struct strip_ratio strip_ratio_at(const struct strip *strip, double area_ratio)
     return (struct strip_ratio){sum[0], sum[1], sum[2]};
 }
 
-static const double grid_step = 0.05; /* in logit A */
+static const double grid_step = 0.1; /* in logit A */
 
 /** logit A below all solutions and at the largest area; returns the steps of a grid between them, which does not depend
  * on the loads asked. */
@@ -336,7 +334,7 @@ static double area_of(const double range[2], double share)
  * the strip's smoothing (Cleveland, J. Am. Stat. Assoc. 74 (1979) 829); malloc'ed; NULL: out of memory. */
 static double (*smooth_ratios(const double range[2], size_t steps, const struct strip *strip))[3]
 {
-    enum { REACH = 120, EVERY = 4 }; /* steps: three widths, of which every fourth node is enough */
+    enum { REACH = 60, EVERY = 2 }; /* steps: three widths, of which every second node is enough */
     const double step = (range[1] - range[0]) / (double)steps, width = strip->smoothing / step;
     const size_t reach = (size_t)fmin(3 * width, REACH) / EVERY * EVERY;
     double(*out)[3] = malloc(2 * (steps + 1) * sizeof *out), (*raw)[3] = out + steps + 1, weight[REACH + 1];

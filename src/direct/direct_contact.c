@@ -423,31 +423,13 @@ static void bridge(double *field, const uint32_t *set, size_t k, const struct di
     }
 }
 
-/** From an end of a mirrored strip's set to its mirror image, which has the same value: `count` points from `first` on.
- */
-static void bridge_end(double *field, size_t first, size_t count, size_t end, bool back)
-{
-    double sums[2];
-    if (back) {
-        add_line(sums, field + first, count);
-        field[end] += sums[0];
-    } else {
-        fill_line(field + first, count, field[end], 0);
-    }
-}
-
 /** The same between all points of a strip's set. */
 static void bridge_all(struct direct_contact *contact, bool back)
 {
     const uint32_t *set = contact->set;
-    const size_t count = contact->set_count, points = contact->kernel.nx, ends = contact->kernel.mirrored;
-    for (size_t k = 0; k + ends < count; k++)
-        if (k + 1 == count || set[k + 1] != set[k] + 1)
+    for (size_t k = 0; k < contact->set_count; k++)
+        if (k + 1 == contact->set_count || set[k + 1] != set[k] + 1)
             bridge(contact->kernel.field, set, k, contact, back);
-    if (ends) {
-        bridge_end(contact->kernel.field, 0, set[0], set[0], back);
-        bridge_end(contact->kernel.field, set[count - 1] + 1, points - set[count - 1] - 1, set[count - 1], back);
-    }
 }
 
 void direct_contact_stiffen(struct direct_contact *contact)

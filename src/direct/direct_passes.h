@@ -48,7 +48,7 @@ static void OF(fill_column)(const struct direct_kernel *kernel, enum direct_tabl
     const size_t n = kernel->ny, half = n / 2 + 1;
     if (n == 1) {
         out[0] = (REAL)OF(factor)(kernel, table, i, 0);
-        out[1] = (REAL)OF(factor)(kernel, table, kernel->mirrored ? kernel->nx - i : i, 0);
+        out[1] = out[0];
         return;
     }
     for (size_t j = 0; j < half && !kernel->mirrored; j++)
@@ -300,34 +300,27 @@ static void OF(pass_columns)(struct pass *pass)
     }
 }
 
-/** The same of a strip, which has no columns. Of a mirrored one wave i holds two cosines: turned by exp(-i pi i/(2n))
- * its parts are those of i and n - i. Whole lanes, the last with zeros. */
+/** The same of a strip, which has no columns: waves by whole lanes, the last ones filled up with zeros. */
 CLONES static void OF(pass_row)(struct pass *pass)
 {
     enum { SUM = 256 }; /* values summed before they join a double */
-    struct direct_kernel *kernel = pass->kernel;
-    struct OF(room) *room = kernel->room;
+    const struct direct_kernel *kernel = pass->kernel;
+    const struct OF(room) *room = kernel->room;
     const size_t n = kernel->nx, values = 2 * (n / 2 + 1);
-    const REAL *table = room->table[pass->table], *turn = room->turn + 2 * n, *imaginary = turn + 2 * (3 * n + 1);
-    const REAL last = n % 2 ? 0
-                            : table[n] * (room->field[n / 2][0] * room->field[n / 2][0] +
-                                          room->field[n / 2][1] * room->field[n / 2][1]);
+    const REAL *table = room->table[pass->table];
+    const double last =
+        n % 2 ? 0 : (double)table[n] * (pow((double)room->field[n / 2][0], 2) + pow((double)room->field[n / 2][1], 2));
     OF(lanes) sums = {0};
     for (size_t k = 0; k < values; k += LANES) {
-        OF(lanes) *at = (OF(lanes) *)((REAL *)room->field + k), value = *at;
-        if (kernel->mirrored)
-            OF(turn)(&value, turn + k, imaginary + k, 1);
-        OF(lanes) out = value * *(const OF(lanes) *)(table + k);
-        sums += value * out;
-        if (kernel->mirrored)
-            OF(turn)(&out, turn + k, imaginary + k, -1);
+        OF(lanes) *at = (OF(lanes) *)((REAL *)room->field + k), out = *at * *(const OF(lanes) *)(table + k);
+        sums += *at * out;
         *at = out;
         for (size_t i = 0; i < LANES && (k % SUM == 0 || k + LANES >= values); i++) {
             pass->energy += 2 * (double)sums[i];
             sums[i] = 0;
         }
     }
-    pass->energy -= (double)last; /* there is one of it, as of the mean, which has no factor */
+    pass->energy -= last; /* there is one of it, as of the mean, which has no factor */
 }
 
 static void OF(pass)(struct pass *pass)

@@ -4,7 +4,7 @@
 static const struct direct_grid shapes[] = {
     {64, 64, 0.1, false, false}, {20, 18, 0.1, false, false}, {15, 9, 0.1, false, false}, {17, 40, 0.1, false, false},
     {2, 2, 0.1, false, false},   {96, 1, 0.1, false, false},  {35, 1, 0.1, false, false}, {24, 24, 0.1, true, false},
-    {15, 15, 0.1, true, false},  {8, 8, 0.1, true, false},    {40, 1, 0.1, true, false},  {45, 1, 0.1, true, false},
+    {15, 15, 0.1, true, false},  {8, 8, 0.1, true, false},
 };
 
 enum { SHAPES = sizeof shapes / sizeof *shapes };
@@ -92,21 +92,20 @@ static size_t image(size_t k, size_t n)
 TEST_CASE(mirror_images)
 {
     for (size_t shape = 0; shape < SHAPES; shape++) {
-        const size_t n = shapes[shape].nx, rows = shapes[shape].ny;
-        const size_t whole_rows = rows == 1 ? 1 : 2 * rows;
+        const size_t n = shapes[shape].nx;
         struct direct_kernel kernel, whole;
         if (!shapes[shape].mirrored)
             continue;
         for (enum direct_table table = 0; table < DIRECT_TABLES; table++) {
             kernel = kernel_of(shape);
-            expect_ok(direct_kernel_make, &whole, &(struct direct_grid){2 * n, whole_rows, 0.1, false, false});
+            expect_ok(direct_kernel_make, &whole, &(struct direct_grid){2 * n, 2 * n, 0.1, false, false});
             lay(&kernel, 1, 0);
-            for (size_t k = 0; k < 2 * n * whole_rows; k++)
+            for (size_t k = 0; k < 4 * n * n; k++)
                 whole.field[k / (2 * n) * whole.stride + k % (2 * n)] =
-                    value_at(image(k % (2 * n), n), image(k / (2 * n), rows), 1, 0);
+                    value_at(image(k % (2 * n), n), image(k / (2 * n), n), 1, 0);
             direct_kernel_convolve(&kernel, table, NULL);
             direct_kernel_convolve(&whole, table, NULL);
-            for (size_t k = 0; k < n * rows; k++)
+            for (size_t k = 0; k < n * n; k++)
                 assert_near(kernel.field[k / n * kernel.stride + k % n], whole.field[k / n * whole.stride + k % n],
                             1e-12);
             direct_kernel_free(&kernel);
