@@ -187,12 +187,13 @@ static void OF(transform_rows_back)(const struct pass *pass)
 {
     const struct direct_kernel *kernel = pass->kernel;
     struct OF(room) *room = kernel->room;
+    const double after = room->after[pass->table];
     for (size_t j = 0; j < kernel->ny; j++) {
+        double *row = kernel->field + j * kernel->stride;
         if (pass->wanted && !pass->wanted[j])
             continue;
         FFT(execute_dft_c2r)(room->row_backward, room->field + j * room->stride, room->line);
-        OF(take_back)
-        (kernel->field + j * kernel->stride, room->line, kernel->nx, kernel->mirrored, room->after[pass->table]);
+        OF(take_back)(row, room->line, kernel->nx, kernel->mirrored, after);
     }
 }
 
