@@ -534,7 +534,8 @@ static double factor_on(const struct claims *c, size_t surface)
 /** The widest interval of a modelled answer, and what part of its variance each cause has, the largest first. */
 static bool uncertainty(struct claims *c)
 {
-    static const char *const names[] = {"model", "scans", "waves"};
+    static const char *const names[] = {"model", "scans", "waves"}, *const of_map[] = {"model", "map", "waves"};
+    const char *const *causes = model_rows[c->leading]->uses_map ? of_map : names;
     const struct extent factor = extent_of(c, factor_on, INFINITY);
     if (!(factor.most > 1))
         return false;
@@ -554,7 +555,7 @@ static bool uncertainty(struct claims *c)
         json_set(c->numbers, names[most], variance[most] / all);
         if (variance[most] >= 0.03 * all)
             text_add(&parts, "%s%s", n > 0 ? ", " : "",
-                     words_say(c->words, "cause.%s\npercent %.0f", names[most], 100 * variance[most] / all));
+                     words_say(c->words, "cause.%s\npercent %.0f", causes[most], 100 * variance[most] / all));
         variance[most] = -1;
     }
     c->weight = factor.most;

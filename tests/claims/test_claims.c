@@ -47,6 +47,9 @@ static void make_folder(const char *place)
                                    "-o d/c.csv");
     workspace_shell(place, PROGRAM " synth --lambda-s 4um --seed 7 --alpha 0.06 --gamma 1.55 --length 1.6mm --points "
                                    "1600 -o w.csv; (head -n1 w.csv; tail -n 400 w.csv) > d/open.csv");
+    workspace_shell(
+        place,
+        PROGRAM " synth --map --points 64 --length 0.128mm --gamma 1.25 --lambda-s 8um --rq 0.4um --seed 3 -o m.sdf");
     workspace_write(place, "d/bad.csv", "x_um,z_um\n1,2\n");
     workspace_shell(place,
                     "cd d && mkdir two three && cp b-1.csv b-2.csv two && cp b-1.csv two/b-9.csv && cp two/* three "

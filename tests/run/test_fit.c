@@ -93,6 +93,8 @@ TEST_CASE(test_the_law_made_is_found)
     assert_int_equal(number(place, "thesis-out", "cut", "scans_windowed"), 0);
     assert_true(number(place, "thesis-out", "cut", "gamma") < gamma_made - 0.1);
     expect_in_file(place, "thesis-out/results.json", "\"method\": \"thesis\"");
+    expect_in_file(place, "thesis-out/report.md", "the line through all wavelengths", "| rms (decades) |");
+    expect_no_parts(directory_read(place, "law-out/report.md"), "the line through all wavelengths", "rms (decades)");
 }
 
 /* Only the mean is removed from a periodic record, so that its amplitudes stay; a line is removed if the scene asks for
