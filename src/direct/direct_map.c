@@ -37,14 +37,23 @@ static enum status_code look_along(struct lines *out, const double *height_m, st
         return status_memory(status);
     for (size_t k = 0; k < lines.count && points >= LEAST_LINE && status->code == STATUS_OK; k++) {
         struct spectrum spectrum;
+        double bends[2] = {0}; /* across the join, inside */
         bool whole = true;
         for (size_t i = 0; i < points; i++) {
             line[i] = height_m[k * lines.next + i * lines.step];
             whole &= isfinite(line[i]) != 0;
         }
-        bool periodic = whole && record_window_is_periodic(line, points);
+        if (!whole)
+            continue;
+        for (size_t i = 0; i < points; i++) {
+            double bend = line[i] - 2 * line[(i + 1) % points] + line[(i + 2) % points];
+            bends[i + 2 < points] += bend * bend / (i + 2 < points ? (double)points - 2 : 2);
+        }
+        bool periodic = record_window_is_periodic(line, points);
+        struct levelling taken; /* a tilt is no slope of the surface's */
         enum spectrum_window window = spectrum_window_for(SPECTRUM_WINDOW_AUTO, periodic);
-        if (!whole || spectrum_compute(&spectrum, line, points, 1, window, status) != STATUS_OK)
+        if (level_remove(&taken, line, points, 1, periodic ? LEVEL_MEAN : LEVEL_LINE, status) != STATUS_OK ||
+            spectrum_compute(&spectrum, line, points, 1, window, status) != STATUS_OK)
             continue;
         for (size_t i = 0; i < spectrum.count; i++) {
             double slope = pow(spectrum_frequency(&spectrum, i), 2) * spectrum_power(&spectrum, i);
@@ -52,10 +61,8 @@ static enum status_code look_along(struct lines *out, const double *height_m, st
             out->noise += spectrum_frequency(&spectrum, i) * cutoff_spacings > 1 ? slope : 0;
         }
         out->count++;
-        for (size_t i = 0; i < points; i++) {
-            double bend = line[i] - 2 * line[(i + 1) % points] + line[(i + 2) % points];
-            *(i + 2 < points ? &out->inside : &out->seam) += bend * bend / (i + 2 < points ? (double)points - 2 : 2);
-        }
+        out->seam += bends[0];
+        out->inside += bends[1];
         spectrum_free(&spectrum);
     }
     free(line);

@@ -206,7 +206,7 @@ static void hold(struct held out[3], bool skewed, size_t n, double noisy, uint64
     for (size_t k = 0; k < GIVEN; k++) /* exponential: peaks on a plain */
         given[k] = -log(((double)k + 0.5) / GIVEN);
     expect_ok(direct_surface_make, height, N, &(struct direct_recipe){band, waves, skewed ? given : NULL, GIVEN}, seed);
-    double gradient = gradient_of(height, N, 1), tilt = n < N ? gradient / 10 : 0;
+    double gradient = gradient_of(height, N, 1), tilt = n < N ? 10 * gradient : 0;
     solve_grid(truth, height, (struct direct_grid){N, N, 1, false, false}, gradient);
     for (size_t k = 0; k < n * n; k++)
         seen[k] = height[k / n * N + k % n] + tilt * (double)(k % n) + noisy * gradient * noise(k + 7919 * seed);
