@@ -157,8 +157,7 @@ static double sum(const double part[4])
 static void displace(struct solver *solver)
 {
     struct direct_kernel *kernel = &solver->contact->kernel;
-    memcpy(kernel->field, solver->contact->pressure, kernel->ny * kernel->stride * sizeof(double));
-    direct_kernel_convolve(kernel, DIRECT_COMPLIANCE, NULL);
+    direct_kernel_convolve_of(kernel, solver->contact->pressure, DIRECT_COMPLIANCE);
 }
 
 void direct_contact_select(struct direct_contact *contact, bool all)

@@ -29,6 +29,7 @@ static double times(const struct direct_kernel *kernel, size_t i)
 /** A convolution, or (`filter` false) half of one for the energy. */
 struct pass {
     struct direct_kernel *kernel;
+    const double *from; /* shaped as its field */
     enum direct_table table;
     const uint8_t *wanted;
     bool filter;
@@ -99,12 +100,17 @@ static void make_pass(struct pass *pass)
 
 void direct_kernel_convolve(struct direct_kernel *kernel, enum direct_table table, const uint8_t *wanted)
 {
-    make_pass(&(struct pass){kernel, table, wanted, true, 0});
+    make_pass(&(struct pass){kernel, kernel->field, table, wanted, true, 0});
+}
+
+void direct_kernel_convolve_of(struct direct_kernel *kernel, const double *from, enum direct_table table)
+{
+    make_pass(&(struct pass){kernel, from, table, NULL, true, 0});
 }
 
 double direct_kernel_energy(struct direct_kernel *kernel, enum direct_table table)
 {
-    struct pass pass = {kernel, table, NULL, false, 0};
+    struct pass pass = {kernel, kernel->field, table, NULL, false, 0};
     make_pass(&pass);
     return pass.energy;
 }

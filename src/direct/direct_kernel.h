@@ -74,6 +74,9 @@ void direct_kernel_free(struct direct_kernel *kernel);
  * wanted cost nothing. */
 void direct_kernel_convolve(struct direct_kernel *kernel, enum direct_table table, const uint8_t *wanted);
 
+/** The same of another field of its shape, which is kept. */
+void direct_kernel_convolve_of(struct direct_kernel *kernel, const double *from, enum direct_table table);
+
 /** <f, table f> by Parseval's theorem, for half a convolution; `field` f is overwritten. */
 double direct_kernel_energy(struct direct_kernel *kernel, enum direct_table table);
 

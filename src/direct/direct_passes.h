@@ -171,7 +171,7 @@ static void OF(transform_rows)(const struct pass *pass)
     const struct direct_kernel *kernel = pass->kernel;
     struct OF(room) *room = kernel->room;
     for (size_t j = 0; j < kernel->ny; j++) {
-        const double *row = kernel->field + j * kernel->stride;
+        const double *row = pass->from + j * kernel->stride;
         FFT(complex) *to = room->field + j * room->stride;
         if (row[0] == 0 && memcmp(row, row + 1, (kernel->nx - 1) * sizeof *row) == 0) { /* all 0, as is its transform */
             memset(to, 0, (kernel->nx / 2 + 1) * sizeof *to);

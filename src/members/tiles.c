@@ -2,7 +2,8 @@
 #include "members/tiles.h"
 #include "base/costs.h"
 
-#include "direct/direct_ladder.h"
+#include "direct/direct_constriction.h"
+#include "direct/direct_quantities.h"
 #include "direct/direct_surface.h"
 #include "spectrum/areal.h"
 #include <math.h>
@@ -177,14 +178,19 @@ struct ladder {
 static enum status_code solve_load(struct transfer_point *out, struct direct_contact *contact, double load,
                                    const struct ladder *ladder, uint64_t *transforms, struct status *status)
 {
-    const struct direct_ladder_def one = {&load, 1, ladder->hardness, tolerance, true, ladder->stop};
-    struct direct_point point;
+    const struct direct_contact_load task = {load, ladder->hardness, tolerance, true, ladder->stop};
+    double length_m;
     *out = (struct transfer_point){load, NAN, NAN, NAN};
-    if (direct_ladder_run(&point, contact, &one, status) != STATUS_OK)
+    if (load >= ladder->hardness)
+        return STATUS_OK;
+    if (direct_contact_solve(contact, &task, status) != STATUS_OK)
         return status->code;
-    *transforms += point.convolutions * contact->kernel.points;
-    if (point.exists && point.quantities.contact_points >= LEAST_POINTS)
-        *out = (struct transfer_point){load, point.quantities.area_ratio, point.quantities.gap_m, point.constriction_m};
+    const struct direct_quantities found = direct_quantities_of(contact, &task);
+    if (direct_constriction_of_contact(&length_m, contact, sqrt(tolerance), ladder->stop, status) != STATUS_OK)
+        return status->code;
+    *transforms += contact->convolutions * contact->kernel.points;
+    if (found.contact_points >= LEAST_POINTS)
+        *out = (struct transfer_point){load, found.area_ratio, found.gap_m, length_m};
     return STATUS_OK;
 }
 
