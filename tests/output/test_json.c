@@ -136,8 +136,8 @@ TEST_CASE(test_the_pages_units)
         const char *head, *key;
         double scale;
     } numbers[] = {
-        {"Rq (µm)", "rq_m", 1e6},           {"Ra (µm)", "ra_m", 1e6},         {"length (mm)", "scan_length_m", 1e3},
-        {"spacing (µm)", "spacing_m", 1e6}, {"α (m¹⁻ᵞ)", "line_alpha_SI", 1}, {"γ", "line_gamma", 1},
+        {"Rq (µm)", "rq_m", 1e6},           {"Ra (µm)", "ra_m", 1e6},    {"length (mm)", "scan_length_m", 1e3},
+        {"spacing (µm)", "spacing_m", 1e6}, {"α (m¹⁻ᵞ)", "alpha_SI", 1}, {"γ", "gamma", 1},
         {"band (µm)", "fit_low_m", 1e6}};
     static const struct {
         const char *key;
@@ -153,7 +153,7 @@ TEST_CASE(test_the_pages_units)
     const char *page = directory_read(*state, "out/report.md");
     const char *materials = strstr(page, "**Table 6.1.**"), *rows = strstr(page, "**Table 6.2.**"),
                *tin = strstr(materials, "\n| tin |") + 1;
-    double wavelength_um = strtod(strstr(rows, "that holds, at ") + strlen("that holds, at "), NULL);
+    double wavelength_um = strtod(strstr(rows, "of the law, at ") + strlen("of the law, at "), NULL);
     size_t i, laws = 0;
     json_array_foreach(json_object_get(root, "surfaces"), i, surface)
     {
