@@ -713,6 +713,7 @@ static bool by_roughness(struct claims *c)
     const size_t count = c->results->usable_count;
     size_t steepest = model_count;
     double widest = 0;
+    const char *last = NULL; /* of the others */
     struct text others = {0};
     bool all = count >= 3 && differ_in_roughness(c->results);
     for (size_t m = 0; all && m < model_count; m++) {
@@ -721,15 +722,17 @@ static bool by_roughness(struct claims *c)
         if ((row->thesis_place == 0 && m != c->leading) || row->plastic != model_rows[c->leading]->plastic)
             continue;
         const double spread = spread_of(c, m);
-        if (spread < 0)
-            text_add(&others, "%s%s", others.length > 0 ? ", " : "", row->label);
+        if (spread < 0 && last)
+            text_add(&others, "%s%s", others.length > 0 ? ", " : "", last);
+        last = spread < 0 ? row->label : last;
         if (spread > widest) {
             widest = spread;
             steepest = m;
         }
     }
-    const bool differ = all && steepest < model_count && others.length > 0;
+    const bool differ = all && steepest < model_count && last;
     if (differ) {
+        text_add(&others, "%s%s", others.length > 0 ? " and " : "", last);
         put_text(c, "label", model_rows[steepest]->label);
         put_text(c, "quantity", words_say(c->words, "%s", c->asked.name));
         put_range(c, "values", modelled(c, steepest, 0), modelled(c, steepest, count - 1), 2, c->asked.unit);
