@@ -311,7 +311,7 @@ struct strip_ratio strip_ratio_at(const struct strip *strip, double area_ratio)
     return (struct strip_ratio){sum[0], sum[1], sum[2]};
 }
 
-static const double grid_step = 0.1; /* in logit A */
+static const double grid_step = 0.075; /* in logit A */
 
 /** logit A below all solutions and at the largest area; returns the steps of a grid between them, which does not depend
  * on the loads asked. */
@@ -334,7 +334,7 @@ static double area_of(const double range[2], double share)
  * the strip's smoothing (Cleveland, J. Am. Stat. Assoc. 74 (1979) 829); malloc'ed; NULL: out of memory. */
 static double (*smooth_ratios(const double range[2], size_t steps, const struct strip *strip))[3]
 {
-    enum { REACH = 60, EVERY = 2 }; /* steps: three widths, of which every second node is enough */
+    enum { REACH = 42, EVERY = 3 }; /* steps: three widths, of which every third node is enough */
     const double step = (range[1] - range[0]) / (double)steps, width = strip->smoothing / step;
     const size_t reach = (size_t)fmin(3 * width, REACH) / EVERY * EVERY;
     double(*out)[3] = malloc(2 * (steps + 1) * sizeof *out), (*raw)[3] = out + steps + 1, weight[REACH + 1];

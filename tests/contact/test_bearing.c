@@ -178,7 +178,7 @@ TEST_CASE(models)
             if (q == QUANTITY_ADJUSTED)
                 continue;
             if (i < curve[1].count)
-                assert_near(points[1][i].value[q], value[q], 2e-3);
+                assert_near(points[1][i].value[q], value[q], 1e-3);
             for (int m = 2; m < 4; m++) /* nothing yields */
                 assert_near(points[m][i].value[q], points[m - 2][i].value[q], q == QUANTITY_AREA ? 1e-12 : 1e-9);
         }

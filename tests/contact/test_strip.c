@@ -111,7 +111,7 @@ TEST_CASE(areas)
         if (expected > corrected_persson_largest_area)
             assert_true(isnan(area[i]));
         else
-            assert_near(area[i], expected, 5e-4);
+            assert_near(area[i], expected, 2e-4);
     }
     strip.own.value[1][0] = -8.9; /* hardly more load for a lot more area */
     strip.surrogate[0].logit[0] = -3.5;
