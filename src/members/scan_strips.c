@@ -74,7 +74,6 @@ enum status_code strips_gather(struct strips *out, struct ensemble *set, bool pa
         }
         taken++;
     }
-    out->in_part = !map && ((!fits && length < points) || scans < whole);
     out->rows = (struct strip_rows){out->height_m,
                                     scans * each,
                                     length,

@@ -21,7 +21,6 @@ struct strips {
     struct solved_strip *joined; /* all rows in one strip; NULL: not solved */
     struct status problem;       /* why not */
     bool roughly;                /* only the members' scatter is needed: STRIP_ROUGHLY */
-    bool in_part;                /* some scans are left out or shortened */
     size_t unsolved;             /* loads left out because no solution converged */
     uint64_t transforms;         /* cost of solving: pairs of transforms times points */
 };

@@ -142,7 +142,6 @@ FREED(pieces)
         assert_int_equal(strips.rows.rows, cases[c].rows);
         assert_int_equal(strips.rows.points, length);
         assert_true(strips.rows.periodic == (length == points));
-        assert_true(strips.in_part == (length < points || cases[c].rows < scans)); /* also of one scan */
         assert_true(strips.rows.rows <= STRIPS_PIECES && strips.rows.rows * length <= STRIPS_POINTS);
         size_t chosen = 0, least = points, most = 0;
         for (size_t p = 0; p < scans; p++) {
@@ -181,7 +180,6 @@ FREED(quick_lengths)
             gather();
             assert_int_equal(strips.rows.points, length);
             assert_int_equal(strips.rows.periodic, periodic);
-            assert_false(strips.in_part);
         }
 }
 
