@@ -235,6 +235,19 @@ static void note_joint(struct surface_record *record, const struct scene *scene,
                  joint_plating_names[joint->plating], metal->least_m * 1e6, metal->most_m * 1e6);
 }
 
+/** Prepares the strips that have been solved, for targets and limits too. */
+static enum status_code prepare_strips(struct surface_record *record, const struct model_task *task,
+                                       struct status *status)
+{
+    struct model_task flatter = *task;
+    flatter.strip = task->flatter.strip;
+    flatter.spectrum = task->flatter.spectrum;
+    if ((task->strip && model_strips_prepare(&record->strips.prepared, task, status) != STATUS_OK) ||
+        (flatter.strip && model_strips_prepare(&record->flatter->strips.prepared, &flatter, status) != STATUS_OK))
+        return status->code;
+    return ensemble_prepare(&record->ensemble, task, status);
+}
+
 /** Runs the plan's models one after another, and what depends on all of them. */
 static enum status_code curves_run(struct surface_record *record, const struct surface_task *asked,
                                    struct status *status)
@@ -242,7 +255,8 @@ static enum status_code curves_run(struct surface_record *record, const struct s
     const struct scene *scene = asked->scene;
     const struct plan *plan = asked->plan;
     struct model_task task = surface_model_task(record, asked);
-    if (make_model_room(record, plan, task.load_count, status) != STATUS_OK)
+    if (make_model_room(record, plan, task.load_count, status) != STATUS_OK ||
+        prepare_strips(record, &task, status) != STATUS_OK)
         return status->code;
     for (size_t m = 0; m < model_count; m++) {
         if (!plan_runs_model(plan, m))

@@ -191,6 +191,11 @@ static enum status_code find_errors(struct uncertainty *out, const struct uncert
         if (uncertainty_holds(plan, m) && model_rows[m]->uses_strip)
             simulated[0].quarters.keeps_heights = simulated[1].quarters.keeps_heights = true;
     enum status_code rc = simulate(simulated, scan, status);
+    if (rc == STATUS_OK && simulated[0].quarters.keeps_heights) {
+        rc = ensemble_prepare(&simulated[0].records, scan->task, status);
+        if (rc == STATUS_OK)
+            rc = ensemble_prepare(&simulated[0].quarters, scan->task, status);
+    }
     for (size_t m = 0; m < model_count && rc == STATUS_OK; m++)
         if (uncertainty_holds(plan, m))
             rc = run_one(&out[m], simulated, model_rows[m], scan, status);

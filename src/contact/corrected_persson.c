@@ -117,29 +117,66 @@ static double between(const struct place *a, const struct place *b, const struct
             (2 - first / second) * c->product_m);
 }
 
+/** The integral down to an area. */
+struct integral {
+    double x, sum_m; /* logit A; 2 int l dp */
+    struct place above;
+};
+
+static void descend(struct integral *at, double area, const struct persson *persson)
+{
+    double to = logit(area), steps = fmax(1, ceil((at->x - to) / step)), width = (at->x - to) / steps;
+    for (double k = 1; k <= steps && fabs(at->x - to) > 1e-9; k++) { /* unless it is there */
+        struct place middle = place_at(logistic(at->x - (k - 0.5) * width), persson),
+                     here = place_at(k < steps ? logistic(at->x - k * width) : area, persson);
+        at->sum_m += 2 * between(&here, &middle, &at->above);
+        at->above = here;
+    }
+    at->x = to;
+}
+
+static void descend_all(struct corrected_persson_point *out, const double *area_ratio, size_t count,
+                        struct integral *at, const struct persson *persson)
+{
+    for (size_t i = count; i-- > 0;) {
+        descend(at, area_ratio[i], persson);
+        out[i] = (struct corrected_persson_point){at->above.constriction_m, at->sum_m};
+    }
+}
+
+/** The lengths alone. */
+static void lengths(struct corrected_persson_point *out, const double *area_ratio, size_t count,
+                    const struct persson *persson)
+{
+    for (size_t i = 0; i < count; i++)
+        out[i] = (struct corrected_persson_point){place_at(area_ratio[i], persson).constriction_m, NAN};
+}
+
 void corrected_persson_curve(struct corrected_persson_point *out, const double *area_ratio, size_t count,
                              const struct persson *persson, bool with_separation)
 {
-    for (size_t i = 0; i < count && !with_separation; i++)
-        out[i] = (struct corrected_persson_point){place_at(area_ratio[i], persson).constriction_m, NAN};
-    if (!with_separation)
+    if (!with_separation) {
+        lengths(out, area_ratio, count, persson);
         return;
+    }
     double x = logit(corrected_persson_largest_area) + reach;
     struct place above = place_at(logistic(x), persson), below = place_at(logistic(x - step), persson);
     /* beyond: l p is a power of 1 - A while p hardly changes */
-    double sum_m =
+    double rest_m =
         (above.product_m + below.product_m) * (above.ln_load - below.ln_load) / log(below.product_m / above.product_m);
-    for (size_t i = count + 1; i-- > 0;) { /* down to the last knot first, where the slope of c changes */
-        double area = i == count ? knot_area[KNOTS - 1] : area_ratio[i], to = logit(area);
-        double steps = fmax(1, ceil((x - to) / step)), width = (x - to) / steps;
-        for (double k = 1; k <= steps && fabs(x - to) > 1e-9; k++) { /* unless the area is the knot itself */
-            struct place middle = place_at(logistic(x - (k - 0.5) * width), persson),
-                         here = place_at(k < steps ? logistic(x - k * width) : area, persson);
-            sum_m += 2 * between(&here, &middle, &above);
-            above = here;
-        }
-        x = to;
-        if (i < count)
-            out[i] = (struct corrected_persson_point){above.constriction_m, sum_m};
+    struct integral at = {x, rest_m, above};
+    descend(&at, knot_area[KNOTS - 1], persson); /* to the last knot first, where the slope of c changes */
+    descend_all(out, area_ratio, count, &at, persson);
+}
+
+void corrected_persson_below(struct corrected_persson_point *out, const double *area_ratio, size_t count,
+                             const struct persson *persson, double known_area,
+                             const struct corrected_persson_point *known)
+{
+    if (isnan(known->separation_m)) {
+        lengths(out, area_ratio, count, persson);
+        return;
     }
+    struct integral at = {logit(known_area), known->separation_m, place_at(known_area, persson)};
+    descend_all(out, area_ratio, count, &at, persson);
 }

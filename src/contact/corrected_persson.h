@@ -42,5 +42,9 @@ struct corrected_persson_point {
  * NaN if not with_separation, in a tenth of the time. */
 void corrected_persson_curve(struct corrected_persson_point *out, const double *area_ratio, size_t count,
                              const struct persson *persson, bool with_separation);
+/** The same below an area where the answer is known; with separations if it has one there. */
+void corrected_persson_below(struct corrected_persson_point *out, const double *area_ratio, size_t count,
+                             const struct persson *persson, double known_area,
+                             const struct corrected_persson_point *known);
 
 #endif

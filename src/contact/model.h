@@ -14,11 +14,21 @@
 #include "spectrum/spectrum.h"
 #include <stdint.h>
 
+/** What models need of a strip and a surface, whatever the loads: made once, since a target asks for dozens of single
+ * loads. Owned: strip_nodes_free(&nodes). */
+struct prepared_strip {
+    const struct strip *strip; /* these three tell whether it is for a task */
+    const struct spectrum *spectrum;
+    double lost_m2;
+    struct strip_nodes nodes;
+};
+
 /** Profiles solved as strips, their bearing curve and their spectrum. */
 struct model_strips {
     const struct spectrum *spectrum;
     const struct strip *strip;
     const struct bearing *bearing;
+    const struct prepared_strip *prepared;
 };
 
 /** How much of their surface scans show. */
@@ -45,6 +55,7 @@ struct model_task {
     const struct strip_rows *rows; /* the profiles; NULL: none */
     const struct strip *strip;     /* the profiles solved as a strip, for models that use_strip; NULL: none */
     const struct bearing *bearing; /* their bearing curve, for plastic models that use_strip; NULL: none */
+    const struct prepared_strip *prepared; /* of that strip; where it is of another surface, or NULL, it is made anew */
     struct model_strips
         flatter; /* the flatter of two directions, a share of the answer of models that use_strip; strip NULL: none */
     bool two_directions;             /* struct scans_reach */
@@ -133,6 +144,10 @@ uint64_t model_defaults(void);
 uint64_t model_flagged(size_t offset);
 /** Is model `m` in the set and may it run with these EFFECT_BITs? A plastic one needs plasticity. */
 bool model_runs(size_t m, uint64_t models, unsigned effects);
+
+/** Prepares the task's strip for its surface. Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code model_strips_prepare(struct prepared_strip *out, const struct model_task *task,
+                                                 struct status *status);
 
 /** Index of the operating load. */
 size_t model_task_operating(const struct model_task *task);

@@ -8,33 +8,33 @@
 #include <math.h>
 #include <stdlib.h>
 
-/** Elastic contact at the first `count` loads of the task, up to the largest area. */
+/** Elastic contact at the first `count` loads of the task, up to the largest area. nodes: NULL without strips. */
 static enum status_code elastic(struct strip_contact *out, size_t *count, const struct persson *persson,
-                                const struct model_row *row, const struct model_task *task, struct status *status)
+                                const struct strip_nodes *nodes, const struct model_task *task, struct status *status)
 {
     size_t loads = task->load_count;
     bool gap = task->wanted & QUANTITY_BIT(QUANTITY_SEPARATION);
     double *area = malloc((loads + 1) * sizeof *area);
     struct corrected_persson_point *point = malloc((loads + 1) * sizeof *point);
     enum status_code rc = area && point ? STATUS_OK : status_memory(status);
-    if (rc == STATUS_OK && row->uses_strip)
-        rc = strip_areas(area, task->loads, loads, task->strip, persson->m2, status);
+    if (rc == STATUS_OK && nodes)
+        strip_areas(area, task->loads, loads, nodes);
     for (; *count < loads && rc == STATUS_OK; ++*count) {
         double load = task->loads[*count];
-        double at = row->uses_strip ? area[*count] : corrected_persson_area(load, persson->m2);
+        double at = nodes ? area[*count] : corrected_persson_area(load, persson->m2);
         bool beyond = !(at <= corrected_persson_largest_area); /* or NaN */
         if (at <= 0 || (beyond && !task->carries_on))
             break;
         area[*count] = beyond ? corrected_persson_largest_area : at;
         out[*count] = (struct strip_contact){area[*count], NAN, NAN, area[*count] / load};
     }
-    if (rc == STATUS_OK && row->uses_strip)
-        rc = strip_contact(out, *count, task->strip, persson, gap, status);
+    if (rc == STATUS_OK && nodes)
+        rc = strip_contact(out, *count, nodes, status);
     else if (rc == STATUS_OK)
         corrected_persson_curve(point, area, *count, persson, gap);
-    for (size_t i = 0; i < *count && rc == STATUS_OK && !row->uses_strip; i++) {
-        out[i].constriction_m = point[i].constriction_m;
-        out[i].separation_m = point[i].separation_m;
+    for (size_t i = 0; i < *count && rc == STATUS_OK; i++) {
+        out[i].constriction_m = nodes ? out[i].constriction_m : point[i].constriction_m;
+        out[i].separation_m = !gap ? NAN : nodes ? out[i].separation_m : point[i].separation_m;
     }
     free(area);
     free(point);
@@ -63,19 +63,54 @@ static void harden(struct strip_contact *contact, size_t *count, const struct pe
     }
 }
 
+static const struct spectrum *spectrum_of(const struct model_task *task)
+{
+    return task->transfer ? &task->transfer->spectrum : task->spectrum;
+}
+
+static double lost_wave_of(const struct model_task *task)
+{
+    return task->levelled && !task->transfer ? persson_lost_wave(task->spectrum) : 0;
+}
+
+enum status_code model_strips_prepare(struct prepared_strip *out, const struct model_task *task, struct status *status)
+{
+    bool gap = task->wanted & QUANTITY_BIT(QUANTITY_SEPARATION);
+    struct persson persson;
+    *out = (struct prepared_strip){task->strip, spectrum_of(task), lost_wave_of(task), {.steps = 0}};
+    if (persson_make(&persson, out->spectrum, out->lost_m2, status) != STATUS_OK)
+        return status->code;
+    return strip_nodes_make(&out->nodes, task->strip, &persson, gap, status);
+}
+
+/** What was prepared for this surface and strip, in `own` if nothing was; NULL: out of memory. */
+static const struct prepared_strip *prepare(struct prepared_strip *own, const struct model_task *task,
+                                            struct status *status)
+{
+    const struct prepared_strip *known = task->prepared;
+    if (known && known->strip == task->strip && known->spectrum == spectrum_of(task) &&
+        known->lost_m2 == lost_wave_of(task) &&
+        (known->nodes.with_separation || !(task->wanted & QUANTITY_BIT(QUANTITY_SEPARATION))))
+        return known;
+    return model_strips_prepare(own, task, status) == STATUS_OK ? own : NULL;
+}
+
 /** The contact at the first `count` loads. */
 static enum status_code solve(struct strip_contact *contact, size_t *count, const struct model_row *row,
                               const struct model_task *task, struct status *status)
 {
-    struct persson persson;
-    const struct spectrum *spectrum = task->transfer ? &task->transfer->spectrum : task->spectrum;
-    double lost_m2 = task->levelled && !task->transfer ? persson_lost_wave(spectrum) : 0;
+    struct prepared_strip own = {.strip = NULL};
+    struct persson made = {0};
+    const struct prepared_strip *strip = row->uses_strip ? prepare(&own, task, status) : NULL;
+    const struct persson *persson = strip ? &strip->nodes.persson : &made;
     *count = 0;
-    if (persson_make(&persson, spectrum, lost_m2, status) != STATUS_OK)
+    if (!row->uses_strip && persson_make(&made, spectrum_of(task), lost_wave_of(task), status) != STATUS_OK)
         return status->code;
-    if (persson.m2 > 0 && elastic(contact, count, &persson, row, task, status) == STATUS_OK && row->plastic)
-        harden(contact, count, &persson, row, task);
-    persson_free(&persson);
+    if (status->code == STATUS_OK && persson->m2 > 0 &&
+        elastic(contact, count, persson, strip ? &strip->nodes : NULL, task, status) == STATUS_OK && row->plastic)
+        harden(contact, count, persson, row, task);
+    strip_nodes_free(&own.nodes);
+    persson_free(&made);
     return status->code;
 }
 
@@ -98,6 +133,7 @@ static enum status_code join_flatter(struct strip_contact *contact, size_t *coun
     flatter.spectrum = task->flatter.spectrum;
     flatter.strip = task->flatter.strip;
     flatter.bearing = task->flatter.bearing;
+    flatter.prepared = task->flatter.prepared;
     flatter.carries_on = true;
     if (solve(room, &known, row, &flatter, status) != STATUS_OK)
         return status->code;

@@ -363,116 +363,137 @@ static double (*smooth_ratios(const double range[2], size_t steps, const struct 
     return out;
 }
 
-enum status_code strip_areas(double *area_ratio, const double *loads, size_t count, const struct strip *strip,
-                             double m2, struct status *status)
+/* Smoothed lengths and gaps fall with ln A at least by this share of the theory's fall. */
+static const double least_fall = 0.2;
+
+/** Loads, lengths and gaps at the nodes; of lengths and gaps the theory, `point`, has `falls` of the fall. */
+static void fill_nodes(struct strip_nodes *nodes, const struct corrected_persson_point *point, const double (*ratio)[3])
+{
+    const double falls = nodes->falls;
+    for (size_t k = 0; k <= nodes->steps; k++) {
+        double *value = nodes->value[k];
+        const double area = nodes->area_ratio[k], load = corrected_persson_load(area, nodes->persson.m2);
+        nodes->ln_load[k] = log(load) + ratio[k][0];
+        nodes->ln_load[k] = k > 0 ? fmax(nodes->ln_load[k], nodes->ln_load[k - 1]) : nodes->ln_load[k];
+        value[0] = (1 - falls) * log(point[k].constriction_m) + ratio[k][1];
+        value[1] = (1 - falls) * log(point[k].separation_m) + ratio[k][2];
+        value[2] = area / (load * exp(ratio[k][0]));
+        value[2] = k > 0 ? fmin(nodes->value[k - 1][2], value[2]) : value[2];
+    }
+    for (size_t q = 0; q < 1 + (size_t)nodes->with_separation; q++) {
+        double raw = nodes->value[0][q];
+        isotonic(&nodes->value[0][q], nodes->steps + 1, 3, true);
+        nodes->raised[q] = nodes->value[0][q] - raw;
+        for (size_t k = 0; k <= nodes->steps; k++)
+            nodes->value[k][q] += falls * log(q == 0 ? point[k].constriction_m : point[k].separation_m);
+    }
+    memcpy(nodes->lowest, ratio[0], sizeof nodes->lowest);
+    nodes->first = point[0];
+}
+
+enum status_code strip_nodes_make(struct strip_nodes *out, const struct strip *strip, const struct persson *persson,
+                                  bool with_separation, struct status *status)
 {
     double range[2];
-    size_t steps = range_of(range, strip), at = 0;
-    double *load = malloc((steps + 1) * sizeof *load); /* ln p, never falling */
+    size_t steps = range_of(range, strip);
+    *out = (struct strip_nodes){.persson = *persson,
+                                .with_separation = with_separation,
+                                .falls = strip->smoothing > 0 ? least_fall : 0,
+                                .range = {range[0], range[1]},
+                                .steps = steps,
+                                .area_ratio = malloc((steps + 1) * sizeof *out->area_ratio),
+                                .ln_load = malloc((steps + 1) * sizeof *out->ln_load),
+                                .value = malloc((steps + 1) * sizeof *out->value)};
+    struct corrected_persson_point *point = malloc((steps + 1) * sizeof *point);
     double(*ratio)[3] = smooth_ratios(range, steps, strip);
-    if (!load || !ratio) {
-        free(load);
-        free(ratio);
-        return status_memory(status);
+    if (out->area_ratio && out->ln_load && out->value && point && ratio) {
+        for (size_t k = 0; k <= steps; k++)
+            out->area_ratio[k] = area_of(range, (double)k / (double)steps);
+        corrected_persson_curve(point, out->area_ratio, steps + 1, &out->persson, with_separation);
+        fill_nodes(out, point, ratio);
+    } else {
+        strip_nodes_free(out);
+        (void)status_memory(status);
     }
-    for (size_t k = 0; k <= steps; k++) {
-        double area = area_of(range, (double)k / (double)steps);
-        load[k] = log(corrected_persson_load(area, m2)) + ratio[k][0];
-        load[k] = k > 0 ? fmax(load[k], load[k - 1]) : load[k];
-    }
-    double lowest = exp(ratio[0][0]);
-    for (size_t i = 0; i < count; i++) {
+    free(point);
+    free(ratio);
+    return status->code;
+}
+
+void strip_nodes_free(struct strip_nodes *nodes)
+{
+    persson_free(&nodes->persson);
+    free(nodes->area_ratio);
+    free(nodes->ln_load);
+    free(nodes->value);
+    *nodes = (struct strip_nodes){.steps = 0};
+}
+
+void strip_areas(double *area_ratio, const double *loads, size_t count, const struct strip_nodes *nodes)
+{
+    const double *load = nodes->ln_load;
+    const size_t steps = nodes->steps;
+    for (size_t i = 0, at = 0; i < count; i++) {
         double wanted = log(loads[i]);
         while (at < steps && load[at + 1] < wanted)
             at++;
         double share = (wanted - load[at]) / (load[at + 1 - (at == steps)] - load[at]);
         if (wanted <= load[0])
-            area_ratio[i] = corrected_persson_area(loads[i] / lowest, m2);
+            area_ratio[i] = corrected_persson_area(loads[i] / exp(nodes->lowest[0]), nodes->persson.m2);
         else if (wanted > load[steps])
             area_ratio[i] = NAN;
         else
-            area_ratio[i] = area_of(range, ((double)at + share) / (double)steps);
+            area_ratio[i] = area_of(nodes->range, ((double)at + share) / (double)steps);
     }
-    free(load);
-    free(ratio);
-    return STATUS_OK;
 }
 
-/** The nodes of the grid, after `below` areas that lie below them. */
-struct nodes {
-    size_t below, steps;
-    double range[2], *area_ratio;
-    double (*value)[3];                     /* ln of l and gap, and A/p, never rising among the nodes */
-    struct corrected_persson_point *theory; /* at all of them */
-    double (*ratio)[3];                     /* smooth_ratios() */
-};
-
-/* Smoothed lengths and gaps fall with ln A at least by this share of the theory's fall. */
-static const double least_fall = 0.2;
-
-static void fill_nodes(struct nodes *nodes, const struct strip *strip, const struct persson *persson,
-                       bool with_separation)
+/** A contact below the nodes, where the ratios are constant. */
+static void below_nodes(struct strip_contact *contact, const struct corrected_persson_point *point,
+                        const struct strip_nodes *nodes)
 {
-    const size_t below = nodes->below, all = below + nodes->steps + 1;
-    const double falls = strip->smoothing > 0 ? least_fall : 0;
-    for (size_t k = below; k < all; k++)
-        nodes->area_ratio[k] = area_of(nodes->range, (double)(k - below) / (double)nodes->steps);
-    corrected_persson_curve(nodes->theory, nodes->area_ratio, all, persson, with_separation);
-    for (size_t k = 0; k < all; k++) {
-        double *value = nodes->value[k];
-        const double *ratio = nodes->ratio[k >= below ? k - below : 0]; /* constant below the grid */
-        const double area = nodes->area_ratio[k], load = corrected_persson_load(area, persson->m2) * exp(ratio[0]);
-        value[0] = (1 - falls) * log(nodes->theory[k].constriction_m) + ratio[1];
-        value[1] = (1 - falls) * log(nodes->theory[k].separation_m) + ratio[2];
-        value[2] = k > below ? fmin(nodes->value[k - 1][2], area / load) : area / load;
-    }
-    for (size_t q = 0; q < 1 + (size_t)with_separation; q++) {
-        double raw = nodes->value[below][q];
-        isotonic(&nodes->value[below][q], all - below, 3, true);
-        for (size_t k = 0; k < below; k++)
-            nodes->value[k][q] += nodes->value[below][q] - raw;
-        for (size_t k = 0; k < all; k++)
-            nodes->value[k][q] += falls * log(q == 0 ? nodes->theory[k].constriction_m : nodes->theory[k].separation_m);
-    }
+    const double of[2] = {point->constriction_m, point->separation_m}, falls = nodes->falls;
+    double value[2];
+    for (size_t q = 0; q < 2; q++)
+        value[q] = (1 - falls) * log(of[q]) + nodes->lowest[1 + q] + nodes->raised[q] + falls * log(of[q]);
+    contact->constriction_m = exp(value[0]);
+    contact->separation_m = exp(value[1]);
+    contact->least_area_per_load = fmin(
+        contact->area_ratio / (corrected_persson_load(contact->area_ratio, nodes->persson.m2) * exp(nodes->lowest[0])),
+        contact->least_area_per_load);
 }
 
-/** Fills in the i-th contact. */
-static void look_up(struct strip_contact *contact, const struct nodes *nodes, size_t i)
+/** A contact among the nodes. */
+static void among_nodes(struct strip_contact *contact, const struct strip_nodes *nodes)
 {
     double place =
         (logit(contact->area_ratio) - nodes->range[0]) / (nodes->range[1] - nodes->range[0]) * (double)nodes->steps;
     size_t k = (size_t)fmin(fmax(place, 0), (double)nodes->steps - 1);
-    bool below = i < nodes->below;
-    const double(*value)[3] = nodes->value + (below ? i : nodes->below + k);
-    const double *next = value[below ? 0 : 1];
-    double share = below ? 0 : place - (double)k;
-    contact->constriction_m = exp(value[0][0] + share * (next[0] - value[0][0]));
-    contact->separation_m = exp(value[0][1] + share * (next[1] - value[0][1]));
-    contact->least_area_per_load = fmin(value[0][2], contact->least_area_per_load);
+    const double *here = nodes->value[k], *next = nodes->value[k + 1], share = place - (double)k;
+    contact->constriction_m = exp(here[0] + share * (next[0] - here[0]));
+    contact->separation_m = exp(here[1] + share * (next[1] - here[1]));
+    contact->least_area_per_load = fmin(here[2], contact->least_area_per_load);
 }
 
-enum status_code strip_contact(struct strip_contact *contact, size_t count, const struct strip *strip,
-                               const struct persson *persson, bool with_separation, struct status *status)
+enum status_code strip_contact(struct strip_contact *contact, size_t count, const struct strip_nodes *nodes,
+                               struct status *status)
 {
-    struct nodes nodes = {0};
-    nodes.steps = range_of(nodes.range, strip);
-    size_t most = count + nodes.steps + 1;
-    nodes.area_ratio = malloc(most * sizeof *nodes.area_ratio);
-    nodes.theory = malloc(most * sizeof *nodes.theory);
-    nodes.value = malloc(most * sizeof *nodes.value);
-    nodes.ratio = smooth_ratios(nodes.range, nodes.steps, strip);
-    if (!nodes.area_ratio || !nodes.theory || !nodes.value || !nodes.ratio) {
-        (void)status_memory(status);
+    size_t below = 0;
+    while (below < count && contact[below].area_ratio < nodes->area_ratio[0])
+        below++;
+    double *area = malloc((below + 1) * sizeof *area);
+    struct corrected_persson_point *point = malloc((below + 1) * sizeof *point);
+    if (area && point) {
+        for (size_t i = 0; i < below; i++)
+            area[i] = contact[i].area_ratio;
+        corrected_persson_below(point, area, below, &nodes->persson, nodes->area_ratio[0], &nodes->first);
+        for (size_t i = 0; i < below; i++)
+            below_nodes(&contact[i], &point[i], nodes);
+        for (size_t i = below; i < count; i++)
+            among_nodes(&contact[i], nodes);
     } else {
-        for (; nodes.below < count && contact[nodes.below].area_ratio < area_of(nodes.range, 0); nodes.below++)
-            nodes.area_ratio[nodes.below] = contact[nodes.below].area_ratio;
-        fill_nodes(&nodes, strip, persson, with_separation);
-        for (size_t i = 0; i < count; i++)
-            look_up(&contact[i], &nodes, i);
+        (void)status_memory(status);
     }
-    free(nodes.area_ratio);
-    free(nodes.theory);
-    free(nodes.value);
-    free(nodes.ratio);
+    free(area);
+    free(point);
     return status->code;
 }

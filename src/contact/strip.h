@@ -70,10 +70,28 @@ struct strip_ratio {
 };
 struct strip_ratio strip_ratio_at(const struct strip *strip, double area_ratio);
 
-/** A/A_n at ascending loads P/(A_n E'), from p(A) of corrected Persson at mean-square slope m2 times the ratio, made
- * monotone; NaN beyond the largest area of corrected_persson.h. Error: STATUS_MEMORY. */
-MUST_CHECK enum status_code strip_areas(double *area_ratio, const double *loads, size_t count,
-                                        const struct strip *strip, double m2, struct status *status);
+/** A strip's answers for one surface at a grid of areas, up to the largest of corrected_persson.h: corrected Persson's
+ * times the ratio, made monotone. Owned: strip_nodes_free(). */
+struct strip_nodes {
+    struct persson persson; /* of the surface */
+    bool with_separation;
+    double falls; /* share of the theory's fall of lengths and gaps that they have at least */
+    size_t steps;
+    double range[2];                      /* logit A of the first and last node */
+    double *area_ratio, *ln_load;         /* at the nodes; ln of P/(A_n E') never falls */
+    double (*value)[3];                   /* ln of l and gap, and A/(A_n p), never rising */
+    double lowest[3], raised[2];          /* below the first node: the ratios, and what is added to ln of l and gap */
+    struct corrected_persson_point first; /* the theory at the first node */
+};
+
+/** Takes over `persson`, also in an error: STATUS_MEMORY. Gaps are NaN if not with_separation, in half the time. */
+MUST_CHECK enum status_code strip_nodes_make(struct strip_nodes *out, const struct strip *strip,
+                                             const struct persson *persson, bool with_separation,
+                                             struct status *status);
+void strip_nodes_free(struct strip_nodes *nodes);
+
+/** A/A_n at ascending loads P/(A_n E'); NaN beyond the last node. */
+void strip_areas(double *area_ratio, const double *loads, size_t count, const struct strip_nodes *nodes);
 
 /** A surface under a load. */
 struct strip_contact {
@@ -81,10 +99,9 @@ struct strip_contact {
     double least_area_per_load; /* least A/(A_n p) up to this load */
 };
 
-/** Constriction length and separation at ascending areas up to the largest of corrected_persson.h: corrected Persson's
- * times the ratio, never rising, and independent of the other areas asked. Lowers least_area_per_load where a smaller
- * area had less. Separation NaN if not with_separation. Error: STATUS_MEMORY. */
-MUST_CHECK enum status_code strip_contact(struct strip_contact *contact, size_t count, const struct strip *strip,
-                                          const struct persson *persson, bool with_separation, struct status *status);
+/** Constriction length and separation at ascending areas; they do not depend on the other areas asked. Lowers
+ * least_area_per_load where a smaller area had less. Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code strip_contact(struct strip_contact *contact, size_t count, const struct strip_nodes *nodes,
+                                          struct status *status);
 
 #endif

@@ -10,6 +10,7 @@
 
 enum {
     BLOCK = 8, /* columns copied together: two cache lines a row */
+    KEPT = 16, /* plans of rows; a folder of scans has a few lengths */
     GAP = 4    /* values between them, so that they do not share a place of the cache */
 };
 

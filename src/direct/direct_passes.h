@@ -7,6 +7,12 @@
 
 typedef REAL OF(lanes) __attribute__((vector_size(32), aligned(sizeof(REAL)), may_alias));
 
+/** Plans of rows, kept: planning a length again takes 4 % of a short strip's time. */
+static struct OF(row_plans) {
+    size_t nx;
+    FFT(plan) forward, backward;
+} OF(kept)[KEPT];
+
 /** Room, plans and tables. */
 struct OF(room) {
     size_t stride;                           /* complex numbers from row to row: whole blocks of columns */
@@ -17,7 +23,9 @@ struct OF(room) {
     REAL *turn;                              /* of a mirrored grid: fill_turn() */
     REAL *table[DIRECT_TABLES];              /* a column for each wave along x: fill_column() */
     double before[DIRECT_TABLES], after[DIRECT_TABLES]; /* factors of a field as it comes in and goes out */
-    FFT(plan) row_forward, row_backward, column_forward, column_backward;
+    struct OF(row_plans) row;
+    bool kept; /* the plans of its rows are others' too */
+    FFT(plan) column_forward, column_backward;
 };
 
 /** exp(-i pi k/(2 n)), k = -n ... 2 n, laid out for products: the real part twice, the imaginary part with either sign.
@@ -74,8 +82,16 @@ static void OF(make_plans)(void *context)
     struct direct_kernel *kernel = context;
     struct OF(room) *room = kernel->room;
     int nx = (int)kernel->nx, ny = (int)kernel->ny;
-    room->row_forward = FFT(plan_dft_r2c_1d)(nx, room->line, room->field, FFTW_ESTIMATE);
-    room->row_backward = FFT(plan_dft_c2r_1d)(nx, room->field, room->line, FFTW_ESTIMATE);
+    size_t k = 0;
+    while (k < KEPT && OF(kept)[k].nx > 0 && OF(kept)[k].nx != kernel->nx)
+        k++;
+    room->kept = k < KEPT;
+    room->row = room->kept ? OF(kept)[k] : (struct OF(row_plans)){0};
+    if (room->row.nx == 0)
+        room->row = (struct OF(row_plans)){kernel->nx, FFT(plan_dft_r2c_1d)(nx, room->line, room->field, FFTW_ESTIMATE),
+                                           FFT(plan_dft_c2r_1d)(nx, room->field, room->line, FFTW_ESTIMATE)};
+    if (room->kept)
+        OF(kept)[k] = room->row;
     if (ny == 1)
         return;
     room->column_forward = FFT(plan_dft_1d)(ny, room->columns, room->transformed, FFTW_FORWARD, FFTW_ESTIMATE);
@@ -85,8 +101,10 @@ static void OF(make_plans)(void *context)
 static void OF(destroy_plans)(void *context)
 {
     struct OF(room) *room = context;
-    FFT(destroy_plan)(room->row_forward);
-    FFT(destroy_plan)(room->row_backward);
+    if (!room->kept) {
+        FFT(destroy_plan)(room->row.forward);
+        FFT(destroy_plan)(room->row.backward);
+    }
     FFT(destroy_plan)(room->column_forward);
     FFT(destroy_plan)(room->column_backward);
 }
@@ -178,7 +196,7 @@ static void OF(transform_rows)(const struct pass *pass)
             continue;
         }
         OF(lay_out)(room->line, row, kernel->nx, kernel->mirrored, room->before[pass->table]);
-        FFT(execute_dft_r2c)(room->row_forward, room->line, to);
+        FFT(execute_dft_r2c)(room->row.forward, room->line, to);
     }
 }
 
@@ -192,7 +210,7 @@ static void OF(transform_rows_back)(const struct pass *pass)
         double *row = kernel->field + j * kernel->stride;
         if (pass->wanted && !pass->wanted[j])
             continue;
-        FFT(execute_dft_c2r)(room->row_backward, room->field + j * room->stride, room->line);
+        FFT(execute_dft_c2r)(room->row.backward, room->field + j * room->stride, room->line);
         OF(take_back)(row, room->line, kernel->nx, kernel->mirrored, after);
     }
 }

@@ -20,6 +20,7 @@ static void member_free(struct member *member)
     spectrum_free(&member->spectrum);
     free(member->height_m);
     solved_strip_free(member->strip);
+    strip_nodes_free(&member->prepared.nodes);
     *member = (struct member){.strip = NULL};
 }
 
@@ -136,8 +137,22 @@ struct model_task member_task(struct asperities *asperities, const struct member
         own.strip = &member->strip->strip;
         own.bearing = &member->strip->bearing;
     }
+    own.prepared = &member->prepared;
     own.asperities = roughness_asperities(asperities, &member->roughness, &none) == STATUS_OK ? asperities : NULL;
     return own;
+}
+
+enum status_code ensemble_prepare(struct ensemble *set, const struct model_task *task, struct status *status)
+{
+    for (size_t p = 0; p < set->count; p++) {
+        struct asperities asperities;
+        struct member *member = &set->members[p];
+        const struct model_task own = member_task(&asperities, member, task);
+        if (own.strip && (member->strip || !set->solved_alone) &&
+            model_strips_prepare(&member->prepared, &own, status) != STATUS_OK)
+            return status->code;
+    }
+    return STATUS_OK;
 }
 
 enum status_code ensemble_estimate(struct estimate *out, const struct ensemble *set, const struct ensemble_values *of,

@@ -23,11 +23,12 @@ void solved_strip_free(struct solved_strip *solved);
 struct member {
     struct spectrum spectrum;
     struct roughness roughness;
-    size_t first_piece, pieces; /* its rows among the surface's strip rows; 0: none */
-    struct solved_strip *strip; /* those rows, solved; NULL: not solved */
-    size_t scan;                /* index of its scan */
-    bool is_row;                /* a row of a map */
-    double *height_m;           /* levelled; kept until the surface is described, else NULL */
+    size_t first_piece, pieces;     /* its rows among the surface's strip rows; 0: none */
+    struct solved_strip *strip;     /* those rows, solved; NULL: not solved */
+    struct prepared_strip prepared; /* that strip, or the surface's; by ensemble_prepare() */
+    size_t scan;                    /* index of its scan */
+    bool is_row;                    /* a row of a map */
+    double *height_m;               /* levelled; kept until the surface is described, else NULL */
     size_t points;
     double spacing_m;
     bool periodic; /* its end joins its beginning */
@@ -94,6 +95,10 @@ MUST_CHECK enum status_code ensemble_pair(struct ensemble *set, const struct ens
  * `asperities` holds the member's. */
 struct model_task member_task(struct asperities *asperities, const struct member *member,
                               const struct model_task *task);
+
+/** Prepares the members' strips for them (model_strips_prepare()). Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code ensemble_prepare(struct ensemble *set, const struct model_task *task,
+                                             struct status *status);
 
 /** A number for each of several members. */
 struct ensemble_values {

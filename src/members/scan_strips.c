@@ -16,6 +16,7 @@ void strips_free(struct strips *strips)
     free(strips->height_m);
     free(strips->seed);
     solved_strip_free(strips->joined);
+    strip_nodes_free(&strips->prepared.nodes);
     *strips = (struct strips){.height_m = NULL};
 }
 

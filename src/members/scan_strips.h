@@ -15,14 +15,15 @@ enum {
 
 /** Owned: strips_free(). */
 struct strips {
-    struct strip_rows rows;      /* levelled with their scans; a member's rows are adjacent; rows 0: none */
-    double *height_m;            /* of the rows */
-    uint64_t *seed;              /* of each row, from its member and its place there */
-    struct solved_strip *joined; /* all rows in one strip; NULL: not solved */
-    struct status problem;       /* why not */
-    bool roughly;                /* only the members' scatter is needed: STRIP_ROUGHLY */
-    size_t unsolved;             /* loads left out because no solution converged */
-    uint64_t transforms;         /* cost of solving: pairs of transforms times points */
+    struct strip_rows rows;         /* levelled with their scans; a member's rows are adjacent; rows 0: none */
+    double *height_m;               /* of the rows */
+    uint64_t *seed;                 /* of each row, from its member and its place there */
+    struct solved_strip *joined;    /* all rows in one strip; NULL: not solved */
+    struct prepared_strip prepared; /* that one for its surface */
+    struct status problem;          /* why not */
+    bool roughly;                   /* only the members' scatter is needed: STRIP_ROUGHLY */
+    size_t unsolved;                /* loads left out because no solution converged */
+    uint64_t transforms;            /* cost of solving: pairs of transforms times points */
 };
 void strips_free(struct strips *strips);
 

@@ -59,11 +59,12 @@ struct model_task surface_model_task(const struct surface_record *record, const 
         .rows = record->strips.rows.rows > 0 ? &record->strips.rows : NULL,
         .strip = record->strips.joined ? &record->strips.joined->strip : NULL,
         .bearing = record->strips.joined ? &record->strips.joined->bearing : NULL,
+        .prepared = &record->strips.prepared,
         .transfer = record->tiles.transfer,
         .two_directions = surface_knows_both(&record->summary),
         .flatter = flatter && flatter->strips.joined
                        ? (struct model_strips){&flatter->spectrum, &flatter->strips.joined->strip,
-                                               &flatter->strips.joined->bearing}
+                                               &flatter->strips.joined->bearing, &flatter->strips.prepared}
                        : (struct model_strips){NULL},
     };
 }

@@ -95,6 +95,15 @@ TEST_CASE(heights_tell)
     assert_memory_not_equal(&strip.surrogate[0], &again.surrogate[0], sizeof strip.own);
 }
 
+/** Areas at these loads on a surface of mean-square slope m2. */
+static void areas_of(double *area, const double *loads, size_t count, const struct strip *strip, double m2)
+{
+    struct strip_nodes nodes;
+    expect_ok(strip_nodes_make, &nodes, strip, &(struct persson){.m2 = m2}, false);
+    strip_areas(area, loads, count, &nodes);
+    strip_nodes_free(&nodes);
+}
+
 /** Without a ratio the areas are the corrected theory's; with one, p(A) never falls, and below the last solution the
  * ratio stays. */
 TEST_CASE(areas)
@@ -105,7 +114,7 @@ TEST_CASE(areas)
     double loads[LOADS], area[LOADS];
     model_support_loads(loads, LOADS, 1e-9, 2);
     strip.surrogate[0] = strip.own;
-    expect_ok(strip_areas, area, loads, LOADS, &strip, 0.04);
+    areas_of(area, loads, LOADS, &strip, 0.04);
     for (size_t i = 0; i < LOADS; i++) {
         double expected = corrected_persson_area(loads[i], 0.04);
         if (expected > corrected_persson_largest_area)
@@ -115,7 +124,7 @@ TEST_CASE(areas)
     }
     strip.own.value[1][0] = -8.9; /* hardly more load for a lot more area */
     strip.surrogate[0].logit[0] = -3.5;
-    expect_ok(strip_areas, area, loads, LOADS, &strip, 0.04);
+    areas_of(area, loads, LOADS, &strip, 0.04);
     for (size_t i = 1; i < LOADS && !isnan(area[i]); i++)
         assert_true(area[i] >= area[i - 1]);
     double low = exp(strip_ratio_at(&strip, 1e-6).load);
@@ -140,7 +149,7 @@ TEST_CASE(smoothed)
             strip.surrogate[0] = strip.own;
             for (size_t k = 0; k < 4; k++)
                 strip.own.value[k][0] = 0.05 * strip.own.logit[k] + (peaked && k == 1 ? 0.3 : 0);
-            expect_ok(strip_areas, area[peaked][w], loads, LOADS, &strip, 0.04);
+            areas_of(area[peaked][w], loads, LOADS, &strip, 0.04);
         }
     for (size_t i = 0; i < LOADS; i++)
         for (int w = 0; w < 3; w++) {
@@ -229,7 +238,7 @@ static void errors(double rms[3], const struct strip *strip, const struct persso
     double area[TRUTHS];
     struct corrected_persson_point point[TRUTHS];
     if (strip)
-        expect_ok(strip_areas, area, loads, TRUTHS, strip, persson->m2);
+        areas_of(area, loads, TRUTHS, strip, persson->m2);
     for (size_t i = 0; !strip && i < TRUTHS; i++)
         area[i] = corrected_persson_area(loads[i], persson->m2);
     corrected_persson_curve(point, area, TRUTHS, persson, true);
