@@ -15,7 +15,10 @@ static double convolve(double *product, struct direct_contact *contact, const do
     struct direct_kernel *kernel = &contact->kernel;
     const uint32_t *set = contact->set;
     double part[2][4] = {{0}};
-    memset(kernel->field, 0, kernel->ny * kernel->stride * sizeof(double));
+    if (stiffen)
+        direct_contact_clear(contact);
+    else
+        memset(kernel->field, 0, kernel->ny * kernel->stride * sizeof(double));
     for (size_t k = 0; k < contact->set_count; k++)
         kernel->field[set[k]] = values[k];
     if (stiffen)

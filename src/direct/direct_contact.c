@@ -431,6 +431,13 @@ static void bridge_all(struct direct_contact *contact, bool back)
             bridge(contact->kernel.field, set, k, contact, back);
 }
 
+void direct_contact_clear(struct direct_contact *contact)
+{
+    const struct direct_kernel *kernel = &contact->kernel;
+    if (kernel->ny > 1) /* of a strip bridge_all() fills in all places that are not in the set */
+        memset(kernel->field, 0, kernel->ny * kernel->stride * sizeof(double));
+}
+
 void direct_contact_stiffen(struct direct_contact *contact)
 {
     struct direct_kernel *kernel = &contact->kernel;
@@ -473,7 +480,7 @@ static double turn(struct solver *solver)
     double *t = contact->direction, sums[4][4] = {{0}};
     size_t count = contact->set_count, bytes = kernel->ny * kernel->stride * sizeof(double);
     if (solver->preconditioned) {
-        memset(kernel->field, 0, bytes);
+        direct_contact_clear(contact);
         for (size_t k = 0; k < count; k++)
             kernel->field[set[k]] = gap_m[set[k]] - solver->mean;
         direct_contact_stiffen(contact);

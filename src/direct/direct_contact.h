@@ -66,6 +66,8 @@ void direct_contact_free(struct direct_contact *contact);
 MUST_CHECK enum status_code direct_contact_solve(struct direct_contact *contact, const struct direct_contact_load *load,
                                                  struct status *status);
 
+/** Empties the kernel's field, for values on the set that are then stiffened. */
+void direct_contact_clear(struct direct_contact *contact);
 /** Multiplies values on the set (the field, 0 elsewhere) by about the inverse of the compliance on the set: |q| on the
  * set. In a strip the values are first continued linearly from edge to edge across what lies between (E), and E
  * transposed |q| E is taken: without jumps at the edges, which |q| would turn into spikes. */

@@ -30,7 +30,7 @@ static double condensed(double k, double thickness_over_radius, double magnitude
  * and Zagier (2000, Experimental Mathematics 9, 3), whose relative error is 2/5.8^TERMS here. */
 static double series(double thickness_over_radius, double magnitude_log, bool alternating)
 {
-    enum { TERMS = 24 };
+    enum { TERMS = 18 };
     double (*at)(double, double, double) = alternating ? term : condensed;
     double power = pow(3 + sqrt(8), TERMS), d = (power + 1 / power) / 2, b = -1, c = -d, sum = 0;
     for (int k = 0; k < TERMS; k++) {

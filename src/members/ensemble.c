@@ -331,13 +331,14 @@ static bool all_close(const struct ensemble_curves *curves)
 
 static void fill_band(struct ensemble_band *band, const struct estimate *estimates, const struct model_row *model)
 {
-    for (int q = 0; q < QUANTITY_COUNT; q++)
-        for (int side = 0; side < 2; side++) {
-            const struct estimate *estimate = &estimates[model_shown(model, (enum quantity)q)];
-            bool holds = quantity_rows[q].is & QUANTITY_BANDED;
+    for (int q = 0; q < QUANTITY_COUNT; q++) {
+        const struct estimate *estimate = &estimates[model_shown(model, (enum quantity)q)];
+        bool holds = quantity_rows[q].is & QUANTITY_BANDED;
+        for (int side = 0; side < 2; side++) /* two ends, one quantile */
             band->mean[q][side] = holds ? estimate_end(estimate, side) : NAN;
+        for (int side = 0; side < 2; side++)
             band->next[q][side] = holds ? estimate_next_end(estimate, side) : NAN;
-        }
+    }
 }
 
 /** Moves a point by `share` of the way, in logarithms, towards that of the joined rows. */

@@ -169,8 +169,8 @@ static enum status_code solve(struct solved_strip **out, struct strips *strips, 
     solved->rows.height_m += first * strips->rows.points;
     solved->rows.seed += first;
     solved->rows.rows = count;
-    enum status_code rc = strip_solve(&solved->strip, &solved->rows, strips->roughly ? STRIP_ROUGHLY : STRIP_SURROGATES,
-                                      threads, &problem);
+    const size_t surrogates = strips->roughly ? STRIP_ROUGHLY : strip_surrogates(&solved->rows);
+    enum status_code rc = strip_solve(&solved->strip, &solved->rows, surrogates, threads, &problem);
     if (rc == STATUS_OK)
         rc = bearing_make(&solved->bearing, &solved->rows, &problem);
     if (!threads_wait(turn)) {

@@ -288,7 +288,7 @@ TEST_CASE(against_direct_solutions)
     }
 }
 
-/** Roughly, for a scatter: one surrogate and half the loads, two fifths of the work or less, and much the same ratio.
+/** Roughly, for a scatter: one surrogate and half the loads, less than half the work, and much the same ratio.
  */
 TEST_CASE(roughly)
 {
@@ -297,7 +297,7 @@ TEST_CASE(roughly)
     struct strip strip = solved(&rows, STRIP_SURROGATES), rough = solved(&rows, STRIP_ROUGHLY);
     assert_int_equal(rough.surrogates, 1);
     assert_int_equal(rough.own.count, (strip.own.count + 1) / 2);
-    assert_true(rough.transforms > 0 && 5 * rough.transforms < 2 * strip.transforms);
+    assert_true(rough.transforms > 0 && 2 * rough.transforms < strip.transforms);
     for (double area = 0.02; area < 0.9; area *= 2)
         assert_true(fabs(strip_ratio_at(&rough, area).load - strip_ratio_at(&strip, area).load) < 0.25);
 }
