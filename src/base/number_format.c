@@ -83,6 +83,8 @@ void number_format_range(struct text *out, double least_value, double most_value
     text_free(&high);
 }
 
+enum { MOST_DIGITS = 17 };
+
 /** 17 digits of `size` as an integer, and the decimal exponent of the first; 0 where rounding leaves the last one open.
  * Powers of ten up to 27 are exact in 64 bits; four roundings err by 2^-64 each, together by .022 of a digit. */
 static uint64_t digits_of(int *exponent, double size)
@@ -111,22 +113,36 @@ static uint64_t digits_of(int *exponent, double size)
     return digits + (rest > 0.5);
 }
 
-void number_exact(struct text *out, double value)
+/** Those digits rounded to `count`; 0 where the ones left out do not say which way. */
+static uint64_t rounded(int *exponent, uint64_t digits, int count)
 {
-    enum { DIGITS = 17 };
-    int exponent, count = DIGITS;
+    uint64_t step = 1, most = 1;
+    for (int k = 0; k < MOST_DIGITS; k++)
+        *(k < count ? &most : &step) *= 10;
+    const uint64_t rest = digits % step, out = digits / step + (2 * rest > step);
+    if (step > 1 && 2 * rest + 2 >= step && 2 * rest <= step + 2)
+        return 0;
+    *exponent += out == most;
+    return (out == most ? out / 10 : out) * step;
+}
+
+void number_digits(struct text *out, double value, int digits_wanted)
+{
+    int exponent, count = MOST_DIGITS;
     uint64_t digits = digits_of(&exponent, fabs(value));
-    char digit[DIGITS], line[48], *to = line;
+    char digit[MOST_DIGITS], line[48], *to = line;
+    if (digits > 0)
+        digits = rounded(&exponent, digits, digits_wanted);
     if (digits == 0) {
-        text_add(out, "%.*g", DIGITS, value);
+        text_add(out, "%.*g", digits_wanted, value);
         return;
     }
     uint32_t part[] = {(uint32_t)(digits / 100000000), (uint32_t)(digits % 100000000)}; /* divided faster than all */
-    for (int k = DIGITS; k-- > 0; part[k > 8] /= 10)
+    for (int k = MOST_DIGITS; k-- > 0; part[k > 8] /= 10)
         digit[k] = (char)('0' + part[k > 8] % 10);
     while (digit[count - 1] == '0')
         count--;
-    bool plain = exponent >= -4 && exponent < DIGITS;
+    bool plain = exponent >= -4 && exponent < digits_wanted;
     int whole = plain ? exponent + 1 : 1; /* digits before the point */
     if (value < 0)
         *to++ = '-';

@@ -13,7 +13,8 @@ void number_format_uncertain(struct text *out, double value, double error);
 /** "least to most", or one number when both are the same to the digits shown. */
 void number_format_range(struct text *out, double least, double most, int digits);
 
-/** `value` as "%.17g" prints it, in a third of the time, which is most of the time of large tables. */
-void number_exact(struct text *out, double value);
+/** `value` as "%.*g" prints it with 1 ... 17 digits, in a third of the time, which is most of the time of large tables
+ * and charts. */
+void number_digits(struct text *out, double value, int digits);
 
 #endif

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "chart/chart.h"
 
+#include "base/number_format.h"
 #include "output/json.h"
 #include <float.h>
 #include <math.h>
@@ -135,7 +136,8 @@ void chart_row(struct chart *chart, double x, double y, double from, double to)
         text_add(&chart->data, "\n");
     }
     for (size_t c = 0; c < kinds[chart->curve.kind].columns; c++) {
-        text_add(&chart->data, "%s%.9g", c > 0 ? "," : "", cell[c]);
+        text_add_bytes(&chart->data, ",", c > 0);
+        number_digits(&chart->data, cell[c], 9);
         reach(c == 0 || (across && c > 1) ? &chart->own_x : &chart->own_y, cell[c]);
     }
     text_add(&chart->data, "\n");

@@ -153,7 +153,7 @@ static void put(struct table *table, const char *name, const char *end, double v
 {
     begin_cell(table, name, end);
     if (isfinite(value))
-        number_exact(&table->rows, value);
+        number_digits(&table->rows, value, 17);
     if (isinf(value) && table->infinite++ == 0)
         table->infinite_column = name;
 }

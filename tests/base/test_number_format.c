@@ -113,9 +113,12 @@ TEST_CASE(test_exact)
         double any = ldexp(1 + share, (int)(drawn % 140) - 90),
                rounded = (double)(drawn >> 50) * pow(10, (double)(k % 9) - 6);
         double value = k < listed ? some[k] : k % 3 ? any : rounded;
-        snprintf(expected, sizeof expected, "%.17g", value);
-        number_exact(&text, value);
-        assert_string_equal(text_string(&text), expected);
-        text_free(&text);
+        static const int digits[] = {17, 9, 1, 3};
+        for (int d = 0; d < 4; d++) {
+            snprintf(expected, sizeof expected, "%.*g", digits[d], value);
+            number_digits(&text, value, digits[d]);
+            assert_string_equal(text_string(&text), expected);
+            text_free(&text);
+        }
     }
 }
