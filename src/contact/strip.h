@@ -16,7 +16,7 @@ enum {
     STRIP_KNOTS = 32,       /* at most, of a curve */
     STRIP_SURROGATES = 2,   /* a Gaussian strip and the same upside down, which scatter no more than four do */
     STRIP_LONG = 32768,     /* points of all rows from which one is enough: strip_surrogates() */
-    STRIP_ROUGHLY = 5,      /* as the number of surrogates, for a scatter alone: one surrogate, half the loads */
+    STRIP_ROUGHLY = 5,      /* as the number of surrogates, for a scatter alone: one surrogate, a third of the loads */
     STRIP_LEAST_POINTS = 12 /* in contact, for a usable solution */
 };
 
