@@ -249,6 +249,8 @@ static void put_measured(struct chart *chart, const struct source *source, const
     const struct results *results = source->results;
     const struct measured *measured = results_measured(results, results->shown[k]);
     double scale = asked_load_of(results, results->shown[k]).scale;
+    struct asked resistance = *asked; /* of which the quantity may be the inverse */
+    resistance.reciprocal = asked->reciprocal != ((quantity_rows[asked->quantity].is & QUANTITY_RISES) > 0);
     for (size_t part = 0; measured && part < 2 * measured->run_count; part++) {
         const struct measured_run *run = &measured->runs[part / 2];
         bool branch = part % 2, both = run->turn + 1 < run->end && run->turn > run->first;
@@ -256,7 +258,7 @@ static void put_measured(struct chart *chart, const struct source *source, const
         CURVE(.kind = CHART_BARS, .legend = SAY("%s\nsurface\t%s", name, measured_name(source, k)),
               .colour = surface_look(source, k).colour, .marker = both && branch ? 6 : 7);
         for (size_t i = branch ? run->turn + 1 : run->first; i < (branch ? run->end : run->turn + 1); i++)
-            put_bar(chart, asked, scale * measured->load[i], measured->resistance[i], measured->error[i]);
+            put_bar(chart, &resistance, scale * measured->load[i], measured->resistance[i], measured->error[i]);
     }
 }
 

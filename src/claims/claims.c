@@ -308,10 +308,11 @@ static bool heated(struct claims *c)
     return voltage_V >= limit_V && (c->row->melts || voltage_V < melting_V);
 }
 
-/** Does a medium fill the gaps? */
-static bool has_medium(const struct claims *c)
+/** Does a filler, which has a thickness of its own, fill the gaps? */
+static bool has_filler(const struct claims *c)
 {
-    return runs(c, EFFECT_GAP) && c->results->scene->joint.fill == JOINT_MEDIUM;
+    const struct joint *joint = &c->results->scene->joint;
+    return runs(c, EFFECT_GAP) && joint->fill == JOINT_MEDIUM && !joint->gas;
 }
 
 static bool bond_line(struct claims *c)
@@ -319,7 +320,7 @@ static bool bond_line(struct claims *c)
     const struct joint *joint = &c->results->scene->joint;
     put(c, "line", joint->bond_line_m);
     put(c, "most", joint->conductivity_W_per_mK / joint->bond_line_m);
-    return has_medium(c) && nothing_touches(c, c->i);
+    return has_filler(c) && nothing_touches(c, c->i);
 }
 
 static bool bond_line_missing(struct claims *c)
@@ -329,7 +330,7 @@ static bool bond_line_missing(struct claims *c)
     put(c, "gap", answer(c, c->i, QUANTITY_SEPARATION));
     put(c, "usual", usual_m);
     put(c, "most", joint->conductivity_W_per_mK / usual_m);
-    return has_medium(c) && !(joint->bond_line_m > 0);
+    return has_filler(c) && !(joint->bond_line_m > 0);
 }
 
 static bool loads_short(struct claims *c)
@@ -575,11 +576,11 @@ static bool not_flat_assumed(struct claims *c)
                                      .nominal_area_m2 = results->scene->nominal_area_m2,
                                      .effects = results->plan->running};
     if (way == JOINT_HEAT && /* gaps that conduct need loads far below those of the report */
-        ((runs(c, EFFECT_GAP) && joint.joint->fill != JOINT_VACUUM) ||
+        ((runs(c, EFFECT_GAP) && !(answer(c, c->i, QUANTITY_GAP) < 0.01 * answer(c, c->i, QUANTITY_JOINT))) ||
          (asked != QUANTITY_TCR && asked != QUANTITY_JOINT)))
         return false;
-    if (runs(c, EFFECT_SHAPE) || !(joint.nominal_area_m2 > 0) || record->summary.pair.unknown || !record->curves ||
-        !record->curves[c->leading].exists)
+    if (known_value(c->results, asked, c->i).measured || runs(c, EFFECT_SHAPE) || !(joint.nominal_area_m2 > 0) ||
+        record->summary.pair.unknown || !record->curves || !record->curves[c->leading].exists)
         return false;
     c->weight = shaped_usual_factor(&record->curves[c->leading], model_rows[c->leading], &joint,
                                     results_operating_load(results, c->i), way);
@@ -651,7 +652,7 @@ static bool direct(struct claims *c)
 static bool textbook(struct claims *c)
 {
     const size_t book = asked_textbook(c->results);
-    if (book == model_count || book == c->leading)
+    if (book == model_count || book == c->leading || nothing_touches(c, c->i))
         return false;
     put_text(c, "label", model_rows[book]->label);
     put_surface(c, c->i);
@@ -747,14 +748,16 @@ static double share_of(const struct claims *c, size_t surface)
 {
     const struct scene *scene = c->results->scene;
     const double carrying = summary_of(c, surface)->carrying;
+    const bool flat = !runs(c, EFFECT_SHAPE); /* else the shares are others from place to place */
     switch (c->row->effect) {
     case EFFECT_GAP: /* where nothing touches, bond-line says it */
-        return nothing_touches(c, surface)
-                   ? NAN
-                   : 100 * answer(c, surface, QUANTITY_GAP) / answer(c, surface, QUANTITY_JOINT);
+        return flat && !nothing_touches(c, surface)
+                   ? 100 * answer(c, surface, QUANTITY_GAP) / answer(c, surface, QUANTITY_JOINT)
+                   : NAN;
     case EFFECT_FILM:
-        return 100 * scene->joint.film_ohm_m2 / answer(c, surface, QUANTITY_AREA) /
-               answer(c, surface, QUANTITY_JOINT_ECR);
+        return flat ? 100 * scene->joint.film_ohm_m2 / answer(c, surface, QUANTITY_AREA) /
+                          answer(c, surface, QUANTITY_JOINT_ECR)
+                    : NAN;
     case EFFECT_PLATING:
         return answer(c, surface, QUANTITY_PLATING_FACTOR);
     case EFFECT_SHAPE:

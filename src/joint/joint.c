@@ -333,6 +333,11 @@ void joint_bounds(double out[QUANTITY_COUNT][2], const struct contact_point *poi
     if (joint_is_held(point, task)) /* no metal touches */
         return;
     out[QUANTITY_AREA][1] = 1;
+    if (joint_has_bond_line(task)) {
+        out[QUANTITY_SEPARATION][0] = task->joint->bond_line_m / task->sigma_m;
+        out[QUANTITY_MEAN_GAP][0] = task->joint->bond_line_m;
+        out[QUANTITY_GAP][1] = task->joint->conductivity_W_per_mK / task->joint->bond_line_m;
+    }
     if (!row->plastic || !(share > 0 && share < 1))
         return;
     out[QUANTITY_AREA][0] = share;
@@ -349,8 +354,7 @@ void joint_bounds(double out[QUANTITY_COUNT][2], const struct contact_point *poi
     joint_apply(&one, NULL, 1, task, NULL);
     if (isfinite(one.value[QUANTITY_JOINT_ECR]))
         out[QUANTITY_JOINT_ECR][1] = one.value[QUANTITY_JOINT_ECR];
-    if (isfinite(one.value[QUANTITY_JOINT]))
-        out[QUANTITY_JOINT][0] = one.value[QUANTITY_JOINT];
+    out[QUANTITY_JOINT][0] = 1 / out[QUANTITY_TCR][1];
 }
 
 enum status_code joint_curve(struct model_curve *curve, const struct model_row *row, const struct model_task *task,

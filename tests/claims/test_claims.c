@@ -55,12 +55,15 @@ static void make_folder(const char *place)
                     "cd d && mkdir two three && cp b-1.csv b-2.csv two && cp b-1.csv two/b-9.csv && cp two/* three "
                     "&& cp b-1.csv three/b-8.csv");
     static const struct {
-        const char *name;
+        const char *name, *heading;
         double power, series;
-    } measured[] = {{"m95", -0.95, 0}, {"m40", -0.4, 0}, {"mser", -0.95, 0.5}};
-    for (size_t m = 0; m < 3; m++) {
+    } measured[] = {{"m95", "load_N,resistance_mohm", -0.95, 0},
+                    {"m40", "load_N,resistance_mohm", -0.4, 0},
+                    {"mser", "load_N,resistance_mohm", -0.95, 0.5},
+                    {"mtcr", "load (N),R (K/W)", -0.95, 0}};
+    for (size_t m = 0; m < 4; m++) {
         struct text *text = support_text();
-        text_add(text, "load_N,resistance_mohm\n");
+        text_add(text, "%s\n", measured[m].heading);
         for (int i = 0; i < 9; i++) {
             double load = 0.1 * pow(10, i / 4.0), own = (m == 2 ? 0.4 : 1) * pow(load, measured[m].power);
             text_add(text, "%.6g,%.6g\n", load, (own + measured[m].series) * (i % 2 ? 1.01 : 0.99));
