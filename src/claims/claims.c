@@ -509,7 +509,7 @@ static bool scans_to_decide(struct claims *c)
             const struct scene_asked *limit = &c->results->scene->limits[l];
             const struct estimate *known = results_estimate(c->results, usable(c, k), limit->quantity);
             const double sd = known->count > 1 ? known->sd : known->s;
-            if (check->verdict != LIMIT_UNDECIDED || !(sd > 0) || s->has_tiles)
+            if (check->verdict != LIMIT_UNDECIDED || !(sd > 0) || s->has_map)
                 continue;
             const size_t more = more_scans(sd, known->model_sd, fabs(log(check->value / limit->value)), s->scans);
             if (more == 0)
@@ -536,11 +536,11 @@ static double factor_on(const struct claims *c, size_t surface)
 static bool uncertainty(struct claims *c)
 {
     static const char *const names[] = {"model", "scans", "waves"}, *const of_map[] = {"model", "map", "waves"};
-    const char *const *causes = model_rows[c->leading]->uses_map ? of_map : names;
     const struct extent factor = extent_of(c, factor_on, INFINITY);
     if (!(factor.most > 1))
         return false;
     const size_t surface = factor.at_most;
+    const char *const *causes = summary_of(c, surface)->has_map ? of_map : names;
     const struct estimate *known = results_estimate(c->results, surface, c->asked.quantity);
     const double few = summary_of(c, surface)->has_tiles ? 0 : accuracy_few_waves_sd(c->results, surface),
                  own = model_sd(model_rows[c->leading], c->asked.quantity, surface_knows_both(summary_of(c, surface))),
@@ -761,7 +761,7 @@ static double share_of(const struct claims *c, size_t surface)
     case EFFECT_PLATING:
         return answer(c, surface, QUANTITY_PLATING_FACTOR);
     case EFFECT_SHAPE:
-        return carrying > 0 ? 1e6 * carrying * scene->nominal_area_m2 : NAN;
+        return carrying > 0 && !nothing_touches(c, surface) ? 1e6 * carrying * scene->nominal_area_m2 : NAN;
     default:
         return answer(c, surface, QUANTITY_TEMPERATURE) - scene->joint.temperature_K;
     }
@@ -781,12 +781,13 @@ static bool share(struct claims *c)
 static bool chosen(struct claims *c)
 {
     const struct scene *scene = c->results->scene;
-    const double factor = model_factor(scene->chosen_sd);
+    const double factor =
+        model_factor(model_sd(model_rows[c->leading], c->asked.quantity, surface_knows_both(summary_of(c, c->i))));
     c->key = factor - 1 <= scene->accuracy ? "chosen" : "chosen-nearest";
     put_text(c, "label", model_rows[c->leading]->label);
     put(c, "accuracy", scene->accuracy);
     put(c, "factor", factor);
-    return scene->chosen_sd > 0;
+    return scene->chosen_sd > 0 && !(accuracy_few_waves_sd(c->results, c->i) > 0);
 }
 
 /** Whose hardness counts, where there is a plating that may have its own. */
