@@ -347,7 +347,7 @@ static bool measured(struct claims *c)
         return false;
     const struct estimate *fit = &c->results->answers[c->i].fit;
     const double factor = estimate_value(fit), low = estimate_end(fit, 0), high = estimate_end(fit, 1);
-    const int digits = known_digits(&(struct known){.low = low, .high = high});
+    const int digits = known_digits(&(struct known){.value = factor, .low = low, .high = high});
     c->key = "measured-elsewhere";
     if (fit->count == 0)
         return true;
@@ -532,6 +532,17 @@ static double factor_on(const struct claims *c, size_t surface)
                : sqrt(estimate_end(estimate, 1) / estimate_end(estimate, 0));
 }
 
+/** The standard deviation of ln the answer from too few of the longest waves in a surface's scans: its part of the
+ * model's. */
+static double waves_sd(const struct claims *c, size_t surface)
+{
+    const double few = accuracy_few_waves_sd(c->results, surface),
+                 own = model_sd(model_rows[c->leading], c->asked.quantity, surface_knows_both(summary_of(c, surface)));
+    return few > 0 && !model_rows[c->leading]->uses_map
+               ? results_estimate(c->results, surface, c->asked.quantity)->model_sd * few / hypot(few, own)
+               : 0;
+}
+
 /** The widest interval of a modelled answer, and what part of its variance each cause has, the largest first. */
 static bool uncertainty(struct claims *c)
 {
@@ -542,11 +553,8 @@ static bool uncertainty(struct claims *c)
     const size_t surface = factor.at_most;
     const char *const *causes = summary_of(c, surface)->has_map ? of_map : names;
     const struct estimate *known = results_estimate(c->results, surface, c->asked.quantity);
-    const double few = summary_of(c, surface)->has_tiles ? 0 : accuracy_few_waves_sd(c->results, surface),
-                 own = model_sd(model_rows[c->leading], c->asked.quantity, surface_knows_both(summary_of(c, surface))),
-                 ofs = known->model_sd * known->model_sd,
-                 waves = few > 0 ? ofs * few * few / (few * few + own * own) : 0;
-    double variance[] = {ofs - waves, known->s * known->s, waves};
+    const double waves = pow(waves_sd(c, surface), 2);
+    double variance[] = {known->model_sd * known->model_sd - waves, known->s * known->s, waves};
     const double all = variance[0] + variance[1] + variance[2];
     struct text parts = {0};
     for (int n = 0; n < 3; n++) {
@@ -593,15 +601,6 @@ static bool not_flat_assumed(struct claims *c)
     return c->weight >= 1.05;
 }
 
-/** Longest waves in a surface's scans where they are too few; else NaN. */
-static double few_waves(const struct claims *c, size_t surface)
-{
-    return !model_rows[c->leading]->uses_map && accuracy_few_waves_sd(c->results, surface) > 0 &&
-                   !nothing_touches(c, surface)
-               ? summary_of(c, surface)->longest_waves
-               : NAN;
-}
-
 /** What the model's error would be with scans in a second direction, where a surface lacks them. */
 static bool one_direction(struct claims *c)
 {
@@ -618,13 +617,18 @@ static bool one_direction(struct claims *c)
     return some && one >= 1.1 * two; /* with a hardness it is little */
 }
 
+static double modelled_waves_sd(const struct claims *c, size_t surface)
+{
+    return known_value(c->results, c->asked.quantity, surface).measured ? NAN : waves_sd(c, surface);
+}
+
 static bool short_scans(struct claims *c)
 {
-    const double waves = extent_of(c, few_waves, INFINITY).least;
-    c->weight = model_factor(model_few_waves_sd(waves));
-    put(c, "waves", waves);
+    const struct extent sd = extent_of(c, modelled_waves_sd, INFINITY);
+    c->weight = model_factor(sd.most);
+    put(c, "waves", summary_of(c, sd.at_most)->longest_waves);
     put(c, "factor", c->weight);
-    return waves < INFINITY && c->weight >= 1.1;
+    return c->weight >= 1.1 && isfinite(c->weight);
 }
 
 /* ---- What stands beside the answer ---- */
