@@ -392,13 +392,15 @@ static bool area_pressed(struct claims *c)
     return true;
 }
 
-/** Does the ranking agree with the table? Not where a number there is measured, nor where a surface that is not ranked,
- * as its scatter is unknown, is better than the first. */
+/** Does the ranking agree with the table? Not where gaps carry heat beside the spots that are ranked, nor where a number
+ * there is measured, nor where a surface that is not ranked, as its scatter is unknown, is better than the first. */
 static bool ranking_holds(const struct claims *c)
 {
     const struct comparison *ranking = c->comparison;
     const bool rises = quantity_rows[ranking->criterion].is & QUANTITY_RISES;
-    if (ranking->count < 2)
+    const bool gaps_conduct = runs(c, EFFECT_GAP) && (quantity_rows[c->asked.quantity].is & QUANTITY_RISES) &&
+                              quantity_of_joint(c->asked.quantity);
+    if (ranking->count < 2 || gaps_conduct)
         return false;
     const double best = answer(c, ranking->surface[0], ranking->criterion);
     for (size_t k = 0; k < c->results->usable_count; k++) {
