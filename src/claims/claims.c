@@ -174,10 +174,10 @@ static void put_count(struct claims *c, const char *name, size_t count)
     text_add(&c->told, "\n%s %zu", name, count);
 }
 
-static void put_load(struct claims *c, const char *name, size_t surface, double load)
+static void put_load(struct claims *c, const char *name, size_t surface, double load, int digits)
 {
     const struct asked_load as = asked_load_of(c->results, surface);
-    put_number(c, name, load, load * as.scale, 3, as.unit[0] ? as.unit : "E′Aₙ");
+    put_number(c, name, load, load * as.scale, digits, as.unit[0] ? as.unit : "E′Aₙ");
 }
 
 static void put_asked(struct claims *c, const char *name, const struct scene_asked *asked)
@@ -347,7 +347,7 @@ static bool measured(struct claims *c)
         return false;
     const struct estimate *fit = &c->results->answers[c->i].fit;
     const double factor = estimate_value(fit), low = estimate_end(fit, 0), high = estimate_end(fit, 1);
-    const int digits = known_digits(&(struct known){.value = factor, .low = low, .high = high});
+    const int digits = known_digits(&(struct known){.kind = KNOWN_VALUE, .value = factor, .low = low, .high = high});
     c->key = "measured-elsewhere";
     if (fit->count == 0)
         return true;
@@ -363,7 +363,7 @@ static bool measured(struct claims *c)
         return true;
     c->key = "measured-target";
     put_asked(c, "target", c->asked.target);
-    put_load(c, "load", c->i, load.value);
+    put_load(c, "load", c->i, load.value, 3);
     return true;
 }
 
@@ -392,8 +392,9 @@ static bool area_pressed(struct claims *c)
     return true;
 }
 
-/** Does the ranking agree with the table? Not where gaps carry heat beside the spots that are ranked, nor where a number
- * there is measured, nor where a surface that is not ranked, as its scatter is unknown, is better than the first. */
+/** Does the ranking agree with the table? Not where gaps carry heat beside the spots that are ranked, nor where a
+ * number there is measured, nor where a surface that is not ranked, as its scatter is unknown, is better than the
+ * first. */
 static bool ranking_holds(const struct claims *c)
 {
     const struct comparison *ranking = c->comparison;
@@ -452,11 +453,14 @@ static bool further_target(struct claims *c)
                        shown = known_shown(c->results, &of.asked, target, on);
     put_asked(c, "target", target);
     put_text(c, "symbol", target->symbol);
-    c->key = isinf(cost_of(&of, on)) ? "target-never" : isnan(load.low) ? "target-alone" : "target";
+    c->key = isinf(cost_of(&of, on))      ? "target-never"
+             : load.kind == KNOWN_AT_MOST ? "target-most"
+             : isnan(load.low)            ? "target-alone"
+                                          : "target";
     if (target == c->asked.target || isinf(cost_of(&of, on)))
         return target != c->asked.target;
     put_surface(c, on);
-    put_load(c, "load", on, load.value);
+    put_load(c, "load", on, load.value, known_digits(&shown));
     if (!isnan(load.low))
         put_range(c, "interval", shown.low, shown.high, 2, "");
     return true;
@@ -651,7 +655,7 @@ static bool direct(struct claims *c)
     for (int k = 0; k < 2; k++)
         put_number(c, names[k], value[k], own ? asked_shown(&c->asked, value[k]) : value[k] * unit.scale, 2,
                    own ? c->asked.unit : unit.unit);
-    put_load(c, "load", c->i, solved.load);
+    put_load(c, "load", c->i, solved.load, 3);
     return true;
 }
 
@@ -665,7 +669,7 @@ static bool textbook(struct claims *c)
     if (c->asked.target) {
         const size_t t = (size_t)(c->asked.target - c->results->scene->targets);
         const struct answer *load = &summary_of(c, c->i)->answers[t * model_count + book];
-        put_load(c, "value", c->i, load->load);
+        put_load(c, "value", c->i, load->load, 3);
         return load->kind == ANSWER_LOAD && !load->full && !load->invalid;
     }
     const double value = comparison_middle(c->results, book, c->i).value[c->asked.quantity];
@@ -1016,7 +1020,7 @@ enum status_code claims_headline(json_t **out, const struct results *results, co
     if (c.asked.target)
         put_asked(&c, "target", c.asked.target);
     put_text(&c, "quantity", words_say(words, "%s", c.asked.name));
-    put_load(&c, "load", results->baseline, results_operating_load(results, results->baseline));
+    put_load(&c, "load", results->baseline, results_operating_load(results, results->baseline), 3);
     *out = NULL;
     if (add_words(&c, name) && add_part(&c, " ", ends[0]) && (ends[1] == ends[0] || add_part(&c, " and ", ends[1]))) {
         add_both(&c, ".**");
