@@ -260,8 +260,8 @@ static bool beyond_hardness(struct claims *c)
     return model_rows[c->leading]->plastic && pressure_Pa >= pair->hardness_Pa;
 }
 
-/** How many spots carry the answer's load: the model's count, or that of equal spots with the same area and resistance,
- * whichever is fewer, in proportion to the load. NaN: not known. */
+/** How many spots carry the answer's load, in proportion to the load: those counted on a map that leads, else the
+ * model's count or that of equal spots with the same area and resistance, whichever is fewer. NaN: not known. */
 static double spots_on(const struct claims *c, size_t surface)
 {
     const struct contact_point at = comparison_middle(c->results, c->leading, surface);
@@ -270,14 +270,18 @@ static double spots_on(const struct claims *c, size_t surface)
     const struct contact_spots alike =
         joint_equal_spots(at.value[QUANTITY_AREA], at.value[electrical ? QUANTITY_ECR : QUANTITY_TCR],
                           electrical ? pair->resistivity_ohm_m : 1 / pair->conductivity_W_per_mK);
-    double per_m2 = fmin(at.value[QUANTITY_SPOT_DENSITY], alike.density_per_m2);
+    const struct map_contact *map = &c->results->surfaces[surface].contact;
+    const bool counted = model_rows[c->leading]->uses_map && map->cells > 0;
+    double per_m2 = counted ? (double)map->spot_count / pow((double)map->cells * map->cell_m, 2)
+                            : fmin(at.value[QUANTITY_SPOT_DENSITY], alike.density_per_m2);
     if (c->asked.target) {
         const struct known load = known_load(c->results, c->asked.target, surface);
         const size_t t = (size_t)(c->asked.target - c->results->scene->targets);
         if (load.kind != KNOWN_VALUE && load.kind != KNOWN_AT_MOST)
             return NAN;
-        per_m2 = fmin(summary_of(c, surface)->answers[t * model_count + c->leading].spots_per_m2,
-                      per_m2 * load.value / results_operating_load(c->results, surface));
+        per_m2 *= load.value / results_operating_load(c->results, surface);
+        per_m2 =
+            counted ? per_m2 : fmin(per_m2, summary_of(c, surface)->answers[t * model_count + c->leading].spots_per_m2);
     }
     return per_m2 * c->results->scene->nominal_area_m2;
 }
