@@ -813,7 +813,9 @@ static void make_accuracy(struct chart *chart, const struct source *source)
     if (!source->results->benchmark)
         return;
     chart_panel(chart, "", SAY("axis.time"),
-                SAY("axis.error_of\nquantity %s", SAY("%s", accuracy_words(&source->asked))), true, true);
+                SAY("axis.error_of\nquantity %s",
+                    SAY("%s", quantity_of_joint(source->asked.quantity) ? "asked.spots" : source->asked.name)),
+                true, true);
     for (size_t m = 0; m < model_count; m++) {
         const struct accuracy accuracy = accuracy_of(source->results, m, source->asked.quantity);
         if (!accuracy.known)

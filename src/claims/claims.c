@@ -396,6 +396,12 @@ static bool area_pressed(struct claims *c)
     return true;
 }
 
+/** Is heat asked for that also goes through gaps? */
+static bool gaps_conduct(const struct claims *c)
+{
+    return runs(c, EFFECT_GAP) && (c->asked.quantity == QUANTITY_JOINT || c->asked.quantity == QUANTITY_SHAPE_JOINT);
+}
+
 /** Does the ranking agree with the table? Not where gaps carry heat beside the spots that are ranked, nor where a
  * number there is measured, nor where a surface that is not ranked, as its scatter is unknown, is better than the
  * first. */
@@ -403,9 +409,7 @@ static bool ranking_holds(const struct claims *c)
 {
     const struct comparison *ranking = c->comparison;
     const bool rises = quantity_rows[ranking->criterion].is & QUANTITY_RISES;
-    const bool gaps_conduct = runs(c, EFFECT_GAP) && (quantity_rows[c->asked.quantity].is & QUANTITY_RISES) &&
-                              quantity_of_joint(c->asked.quantity);
-    if (ranking->count < 2 || gaps_conduct)
+    if (ranking->count < 2 || gaps_conduct(c))
         return false;
     const double best = answer(c, ranking->surface[0], ranking->criterion);
     for (size_t k = 0; k < c->results->usable_count; k++) {
@@ -548,9 +552,10 @@ static double waves_sd(const struct claims *c, size_t surface)
 {
     const double few = accuracy_few_waves_sd(c->results, surface),
                  own = model_sd(model_rows[c->leading], c->asked.quantity, surface_knows_both(summary_of(c, surface)));
-    return few > 0 && !model_rows[c->leading]->uses_map
-               ? results_estimate(c->results, surface, c->asked.quantity)->model_sd * few / hypot(few, own)
-               : 0;
+    const double of_answer = results_estimate(c->results, surface, c->asked.quantity)->model_sd;
+    if (!(few > 0) || model_rows[c->leading]->uses_map)
+        return 0;
+    return of_answer > 0 ? of_answer * few / hypot(few, own) : quantity_of_joint(c->asked.quantity) ? 0 : few;
 }
 
 /** The widest interval of a modelled answer, and what part of its variance each cause has, the largest first. */
@@ -624,7 +629,7 @@ static bool one_direction(struct claims *c)
     c->weight = one / two;
     put_number(c, "one", one, one, 2, "");
     put_number(c, "two", two, two, 2, "");
-    return some && one >= 1.1 * two; /* with a hardness it is little */
+    return some && one >= 1.1 * two && !gaps_conduct(c) && !runs(c, EFFECT_SHAPE); /* with a hardness it is little */
 }
 
 static double modelled_waves_sd(const struct claims *c, size_t surface)
@@ -762,16 +767,14 @@ static double share_of(const struct claims *c, size_t surface)
 {
     const struct scene *scene = c->results->scene;
     const double carrying = summary_of(c, surface)->carrying;
-    const bool flat = !runs(c, EFFECT_SHAPE); /* else the shares are others from place to place */
     switch (c->row->effect) {
     case EFFECT_GAP: /* where nothing touches, bond-line says it */
-        return flat && !nothing_touches(c, surface)
-                   ? 100 * answer(c, surface, QUANTITY_GAP) / answer(c, surface, QUANTITY_JOINT)
-                   : NAN;
+        return nothing_touches(c, surface)
+                   ? NAN
+                   : 100 * answer(c, surface, QUANTITY_GAP) / answer(c, surface, QUANTITY_JOINT);
     case EFFECT_FILM:
-        return flat ? 100 * scene->joint.film_ohm_m2 / answer(c, surface, QUANTITY_AREA) /
-                          answer(c, surface, QUANTITY_JOINT_ECR)
-                    : NAN;
+        return 100 * scene->joint.film_ohm_m2 / answer(c, surface, QUANTITY_AREA) /
+               answer(c, surface, QUANTITY_JOINT_ECR);
     case EFFECT_PLATING:
         return answer(c, surface, QUANTITY_PLATING_FACTOR);
     case EFFECT_SHAPE:
@@ -788,7 +791,8 @@ static bool share(struct claims *c)
     put_range(c, "share", extent.least, extent.most, 2, c->row->unit);
     put(c, "nominal", c->results->scene->nominal_area_m2);
     put(c, "current", c->results->scene->joint.current_A);
-    return runs(c, c->row->effect) && extent.most > 0;
+    const bool by_place = (c->row->effect == EFFECT_GAP || c->row->effect == EFFECT_FILM) && runs(c, EFFECT_SHAPE);
+    return runs(c, c->row->effect) && extent.most > 0 && !by_place; /* one number does not say it */
 }
 
 /** The model that `accuracy` chose. */

@@ -62,9 +62,6 @@ struct joint_shape {
 void joint_shape_free(struct joint_shape *shape);
 /** The share of the nominal area that carries 90 % of the load; NaN: not known. */
 double joint_shape_area(const struct joint_shape *shape, double load);
-/** By what factor the resistance changes if that of flat parts changes by `factor`; NaN: not known (shape NULL, too).
- */
-double joint_shape_change(const struct joint_shape *shape, double load, int way, double factor);
 
 /** Air at 300 K and 101325 Pa, as in the table of gases. */
 struct joint joint_default(void);

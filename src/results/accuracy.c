@@ -33,11 +33,6 @@ static void set_error(struct accuracy *out, const struct results *results, size_
     out->known = out->sd > 0;
 }
 
-const char *accuracy_words(const struct asked *asked)
-{
-    return quantity_of_joint(asked->quantity) ? "asked.spots" : asked->name;
-}
-
 struct accuracy accuracy_of(const struct results *results, size_t model, enum quantity quantity)
 {
     struct accuracy out = {.known = false};

@@ -3,7 +3,7 @@
 #ifndef RESULTS_ACCURACY_H
 #define RESULTS_ACCURACY_H
 
-#include "results/asked.h"
+#include "results/results.h"
 
 /** Of a quantity of a model on the baseline. */
 struct accuracy {
@@ -16,8 +16,7 @@ struct accuracy {
     size_t used;                         /* the step nearest to the run's tolerance */
 };
 
-/** The name in templates/words.txt of what accuracy_of() tells for `asked`: of a joint, the resistance of its spots. */
-const char *accuracy_words(const struct asked *asked);
+/** Of a joint: of the resistance of its spots. */
 struct accuracy accuracy_of(const struct results *results, size_t model, enum quantity quantity);
 
 /** What too few of the longest waves in a surface's scans add to the error of ln a quantity, whatever the model, in
