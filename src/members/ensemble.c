@@ -345,7 +345,8 @@ void ensemble_hold(struct estimate estimates[QUANTITY_COUNT], const struct conta
     joint_bounds(bound, point, model, joint);
     for (int q = 0; q < QUANTITY_COUNT; q++)
         memcpy(estimates[q].bound, bound[q], sizeof bound[q]);
-    if (joint_has_bond_line(joint) && !joint_is_held(point, joint)) /* no more than the most of the spots and that of the filler together */
+    if (joint_has_bond_line(joint) &&
+        !joint_is_held(point, joint)) /* no more than the most of the spots and that of the filler together */
         estimates[QUANTITY_JOINT].bound[1] = bound[QUANTITY_GAP][1] + 1 / estimate_end(&estimates[QUANTITY_TCR], 0);
     for (int q = QUANTITY_AREA; q < QUANTITY_COUNT && joint_is_held(point, joint); q++) {
         bool filler = q == QUANTITY_GAP || q == QUANTITY_JOINT;

@@ -140,8 +140,8 @@ struct ensemble_band *ensemble_band_make(const double *loads, size_t count);
 enum { CURVE_FULL_LOAD = QUANTITY_COUNT, CURVE_BETA, CURVE_ESTIMATES };
 
 /** Bounds the estimates at a point by physics (joint_bounds()), and adjusts them where a filler's bond line keeps the
- * gap open (joint_hold()): without metal contact only the filler's conductance remains, and has no scatter; else intervals are centred
- * on the point's own numbers. */
+ * gap open (joint_hold()): without metal contact only the filler's conductance remains, and has no scatter; else
+ * intervals are centred on the point's own numbers. */
 void ensemble_hold(struct estimate estimates[QUANTITY_COUNT], const struct contact_point *point,
                    const struct model_row *model, const struct joint_task *joint);
 /** Completes the estimates of all quantities at a point: adds the model's own error, and centres the joint's quantities
