@@ -634,7 +634,8 @@ static bool one_direction(struct claims *c)
 
 static double modelled_waves_sd(const struct claims *c, size_t surface)
 {
-    return known_value(c->results, c->asked.quantity, surface).measured ? NAN : waves_sd(c, surface);
+    const bool measured = known_value(c->results, c->asked.quantity, surface).measured;
+    return measured || nothing_touches(c, surface) ? NAN : waves_sd(c, surface);
 }
 
 static bool short_scans(struct claims *c)
@@ -643,6 +644,7 @@ static bool short_scans(struct claims *c)
     c->weight = model_factor(sd.most);
     put(c, "waves", summary_of(c, sd.at_most)->longest_waves);
     put(c, "factor", c->weight);
+    put_surface(c, sd.at_most);
     return c->weight >= 1.1 && isfinite(c->weight);
 }
 

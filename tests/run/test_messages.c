@@ -72,9 +72,8 @@ TEST_CASE(notes_alike_are_a_line_beside_a_report)
     assert_int_equal(lines_with(text, "looks like"), 1);
     assert_int_equal(lines_with(text, " refused: "), 10);
     expect_parts(text,
-                 "surface 's0' (and 39 more like it): the power law is narrow: it holds from 1.5 to 20 um only, under "
-                 "a decade\n",
-                 "surface 's1' (and 19 more like it): looks like 'a.csv', too\n");
+                 "surface 's0' and 39 more: the power law is narrow: it holds from 1.5 to 20 um only, under a decade\n",
+                 "surface 's1' and 19 more: looks like 'a.csv', too\n");
 }
 
 /* Notes on different files of a counterface are different kinds; each names its file. */
