@@ -165,7 +165,7 @@ static void make_surface(struct made_up *made, size_t index, void (*change)(stru
         summary->points = 200;
         summary->spacing_m = 1e-6;
         summary->length_m = 2e-4;
-        summary->scans = index == 0 ? 2 : 1;
+        summary->scans = summary->periodic = index == 0 ? 2 : 1;
         summary->independent = (double)summary->scans;
         if (index == 0)
             note_add(&summary->notes, "beta.csv", "note.text\ntext\ta note");

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "answers/answers.h"
 
+#include "answers/measured.h"
 #include "base/clock.h"
 #include "joint/joint.h"
 #include "members/surface.h"
@@ -431,7 +432,8 @@ enum status_code answers_find(struct surface_record *record, const struct scene 
             struct answer *answer = &summary->answers[t * model_count + m];
             struct scene_asked target = scene->targets[t];
             if (summary->carried > 0 && m == summary->carried_model && target.quantity == summary->carried_quantity)
-                target.value *= summary->carried; /* the measured resistance is the model's over that factor */
+                target.value *=
+                    measured_as(target.quantity, summary->carried); /* conductance is the model's times it */
             if (answer_target(answer, record, &target, search) != STATUS_OK)
                 return status->code;
             bool met =

@@ -145,6 +145,11 @@ void measured_free(struct measured *measured)
     *measured = (struct measured){0};
 }
 
+double measured_as(enum quantity quantity, double resistance)
+{
+    return quantity_rows[quantity].is & QUANTITY_RISES ? 1 / resistance : resistance;
+}
+
 enum quantity measured_quantity(const struct measured *measured, unsigned effects)
 {
     const struct quantity_asked *how;
@@ -170,7 +175,7 @@ static double resistance_at(const struct model_curve *curve, double load, enum q
 {
     for (size_t i = 0; i < curve->count; i++)
         if (curve->points[i].value[QUANTITY_LOAD] == load && curve->points[i].value[quantity] > 0)
-            return curve->points[i].value[quantity];
+            return measured_as(quantity, curve->points[i].value[quantity]);
     return NAN;
 }
 
@@ -189,7 +194,7 @@ enum status_code measured_answer(struct measured_answers *out, const struct meas
     size_t count = stored ? loads_within(loads, measured, &task) : 0;
     struct model_task at_loads = model_task_at(&task, loads, count);
     const unsigned own = QUANTITY_BIT(measured_quantity(measured, 0)); /* all that is needed from the models */
-    at_loads.wanted = QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | own;
+    at_loads.wanted = QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | own | quantity_rows[quantity].from;
     if (joint_has_bond_line(&joint))
         at_loads.wanted |= QUANTITY_BIT(QUANTITY_SEPARATION);
     enum status_code rc = stored ? STATUS_OK : status_memory(status);

@@ -43,7 +43,9 @@ struct measured_answers {
     bool carried; /* targets are solved with that factor */
 };
 
-/** The models' quantity to compare with, for these EFFECT_BITs: the resistance, with film and plating if they run. */
+/** A resistance as a value of the quantity that it is compared with, which may be a conductance; and back. */
+double measured_as(enum quantity quantity, double resistance);
+/** The models' quantity to compare with, for these EFFECT_BITs: that of the whole joint. */
 enum quantity measured_quantity(const struct measured *measured, unsigned effects);
 /** Runs the models of the plan at the measured loads, with the joint, averaged over scans like the surface's curve.
  * Error: STATUS_MEMORY. */

@@ -321,9 +321,8 @@ enum status_code uncertainty_of_map(struct surface_record *record, size_t m, con
             double value = quantity_shown(point, (enum quantity)q, record->summary.asperities.sigma_m);
             bool banded = quantity_rows[q].is & QUANTITY_BANDED;
             own[q] = banded ? estimate_of_error(value, sd[q], MAP_DEGREES) : estimate_none;
-            own[q].bound[1] = q == QUANTITY_AREA;
         }
-        ensemble_hold(own, point, joint);
+        ensemble_hold(own, point, model_rows[m], joint);
         put_band(&record->bands[m][i], own);
         if (i == model_task_operating(task))
             memcpy(estimates, own, sizeof own);

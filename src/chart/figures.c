@@ -249,6 +249,8 @@ static void put_measured(struct chart *chart, const struct source *source, const
     const struct results *results = source->results;
     const struct measured *measured = results_measured(results, results->shown[k]);
     double scale = asked_load_of(results, results->shown[k]).scale;
+    struct asked resistance = *asked; /* of which the quantity may be the inverse */
+    resistance.reciprocal = asked->reciprocal != ((quantity_rows[asked->quantity].is & QUANTITY_RISES) > 0);
     for (size_t part = 0; measured && part < 2 * measured->run_count; part++) {
         const struct measured_run *run = &measured->runs[part / 2];
         bool branch = part % 2, both = run->turn + 1 < run->end && run->turn > run->first;
@@ -256,7 +258,7 @@ static void put_measured(struct chart *chart, const struct source *source, const
         CURVE(.kind = CHART_BARS, .legend = SAY("%s\nsurface\t%s", name, measured_name(source, k)),
               .colour = surface_look(source, k).colour, .marker = both && branch ? 6 : 7);
         for (size_t i = branch ? run->turn + 1 : run->first; i < (branch ? run->end : run->turn + 1); i++)
-            put_bar(chart, asked, scale * measured->load[i], measured->resistance[i], measured->error[i]);
+            put_bar(chart, &resistance, scale * measured->load[i], measured->resistance[i], measured->error[i]);
     }
 }
 
@@ -810,7 +812,10 @@ static void make_accuracy(struct chart *chart, const struct source *source)
 {
     if (!source->results->benchmark)
         return;
-    chart_panel(chart, "", SAY("axis.time"), asked_label(source, "axis.error_of"), true, true);
+    chart_panel(chart, "", SAY("axis.time"),
+                SAY("axis.error_of\nquantity %s",
+                    SAY("%s", quantity_of_joint(source->asked.quantity) ? "asked.spots" : source->asked.name)),
+                true, true);
     for (size_t m = 0; m < model_count; m++) {
         const struct accuracy accuracy = accuracy_of(source->results, m, source->asked.quantity);
         if (!accuracy.known)

@@ -174,10 +174,10 @@ static void put_count(struct claims *c, const char *name, size_t count)
     text_add(&c->told, "\n%s %zu", name, count);
 }
 
-static void put_load(struct claims *c, const char *name, size_t surface, double load)
+static void put_load(struct claims *c, const char *name, size_t surface, double load, int digits)
 {
     const struct asked_load as = asked_load_of(c->results, surface);
-    put_number(c, name, load, load * as.scale, 3, as.unit[0] ? as.unit : "E′Aₙ");
+    put_number(c, name, load, load * as.scale, digits, as.unit[0] ? as.unit : "E′Aₙ");
 }
 
 static void put_asked(struct claims *c, const char *name, const struct scene_asked *asked)
@@ -260,8 +260,8 @@ static bool beyond_hardness(struct claims *c)
     return model_rows[c->leading]->plastic && pressure_Pa >= pair->hardness_Pa;
 }
 
-/** How many spots carry the answer's load: the model's count, or that of equal spots with the same area and resistance,
- * whichever is fewer, in proportion to the load. NaN: not known. */
+/** How many spots carry the answer's load, in proportion to the load: those counted on a map that leads, else the
+ * model's count or that of equal spots with the same area and resistance, whichever is fewer. NaN: not known. */
 static double spots_on(const struct claims *c, size_t surface)
 {
     const struct contact_point at = comparison_middle(c->results, c->leading, surface);
@@ -270,14 +270,18 @@ static double spots_on(const struct claims *c, size_t surface)
     const struct contact_spots alike =
         joint_equal_spots(at.value[QUANTITY_AREA], at.value[electrical ? QUANTITY_ECR : QUANTITY_TCR],
                           electrical ? pair->resistivity_ohm_m : 1 / pair->conductivity_W_per_mK);
-    double per_m2 = fmin(at.value[QUANTITY_SPOT_DENSITY], alike.density_per_m2);
+    const struct map_contact *map = &c->results->surfaces[surface].contact;
+    const bool counted = model_rows[c->leading]->uses_map && map->cells > 0;
+    double per_m2 = counted ? (double)map->spot_count / pow((double)map->cells * map->cell_m, 2)
+                            : fmin(at.value[QUANTITY_SPOT_DENSITY], alike.density_per_m2);
     if (c->asked.target) {
         const struct known load = known_load(c->results, c->asked.target, surface);
         const size_t t = (size_t)(c->asked.target - c->results->scene->targets);
         if (load.kind != KNOWN_VALUE && load.kind != KNOWN_AT_MOST)
             return NAN;
-        per_m2 = fmin(summary_of(c, surface)->answers[t * model_count + c->leading].spots_per_m2,
-                      per_m2 * load.value / results_operating_load(c->results, surface));
+        per_m2 *= load.value / results_operating_load(c->results, surface);
+        per_m2 =
+            counted ? per_m2 : fmin(per_m2, summary_of(c, surface)->answers[t * model_count + c->leading].spots_per_m2);
     }
     return per_m2 * c->results->scene->nominal_area_m2;
 }
@@ -308,10 +312,11 @@ static bool heated(struct claims *c)
     return voltage_V >= limit_V && (c->row->melts || voltage_V < melting_V);
 }
 
-/** Does a medium fill the gaps? */
-static bool has_medium(const struct claims *c)
+/** Does a filler, which has a thickness of its own, fill the gaps? */
+static bool has_filler(const struct claims *c)
 {
-    return runs(c, EFFECT_GAP) && c->results->scene->joint.fill == JOINT_MEDIUM;
+    const struct joint *joint = &c->results->scene->joint;
+    return runs(c, EFFECT_GAP) && joint->fill == JOINT_MEDIUM && !joint->gas;
 }
 
 static bool bond_line(struct claims *c)
@@ -319,7 +324,7 @@ static bool bond_line(struct claims *c)
     const struct joint *joint = &c->results->scene->joint;
     put(c, "line", joint->bond_line_m);
     put(c, "most", joint->conductivity_W_per_mK / joint->bond_line_m);
-    return has_medium(c) && nothing_touches(c, c->i);
+    return has_filler(c) && nothing_touches(c, c->i);
 }
 
 static bool bond_line_missing(struct claims *c)
@@ -329,7 +334,7 @@ static bool bond_line_missing(struct claims *c)
     put(c, "gap", answer(c, c->i, QUANTITY_SEPARATION));
     put(c, "usual", usual_m);
     put(c, "most", joint->conductivity_W_per_mK / usual_m);
-    return has_medium(c) && !(joint->bond_line_m > 0);
+    return has_filler(c) && !(joint->bond_line_m > 0);
 }
 
 static bool loads_short(struct claims *c)
@@ -346,7 +351,7 @@ static bool measured(struct claims *c)
         return false;
     const struct estimate *fit = &c->results->answers[c->i].fit;
     const double factor = estimate_value(fit), low = estimate_end(fit, 0), high = estimate_end(fit, 1);
-    const int digits = known_digits(&(struct known){.low = low, .high = high});
+    const int digits = known_digits(&(struct known){.kind = KNOWN_VALUE, .value = factor, .low = low, .high = high});
     c->key = "measured-elsewhere";
     if (fit->count == 0)
         return true;
@@ -362,7 +367,7 @@ static bool measured(struct claims *c)
         return true;
     c->key = "measured-target";
     put_asked(c, "target", c->asked.target);
-    put_load(c, "load", c->i, load.value);
+    put_load(c, "load", c->i, load.value, 3);
     return true;
 }
 
@@ -391,13 +396,20 @@ static bool area_pressed(struct claims *c)
     return true;
 }
 
-/** Does the ranking agree with the table? Not where a number there is measured, nor where a surface that is not ranked,
- * as its scatter is unknown, is better than the first. */
+/** Is heat asked for that also goes through gaps? */
+static bool gaps_conduct(const struct claims *c)
+{
+    return runs(c, EFFECT_GAP) && (c->asked.quantity == QUANTITY_JOINT || c->asked.quantity == QUANTITY_SHAPE_JOINT);
+}
+
+/** Does the ranking agree with the table? Not where gaps carry heat beside the spots that are ranked, nor where a
+ * number there is measured, nor where a surface that is not ranked, as its scatter is unknown, is better than the
+ * first. */
 static bool ranking_holds(const struct claims *c)
 {
     const struct comparison *ranking = c->comparison;
     const bool rises = quantity_rows[ranking->criterion].is & QUANTITY_RISES;
-    if (ranking->count < 2)
+    if (ranking->count < 2 || gaps_conduct(c))
         return false;
     const double best = answer(c, ranking->surface[0], ranking->criterion);
     for (size_t k = 0; k < c->results->usable_count; k++) {
@@ -449,11 +461,14 @@ static bool further_target(struct claims *c)
                        shown = known_shown(c->results, &of.asked, target, on);
     put_asked(c, "target", target);
     put_text(c, "symbol", target->symbol);
-    c->key = isinf(cost_of(&of, on)) ? "target-never" : isnan(load.low) ? "target-alone" : "target";
+    c->key = isinf(cost_of(&of, on))      ? "target-never"
+             : load.kind == KNOWN_AT_MOST ? "target-most"
+             : isnan(load.low)            ? "target-alone"
+                                          : "target";
     if (target == c->asked.target || isinf(cost_of(&of, on)))
         return target != c->asked.target;
     put_surface(c, on);
-    put_load(c, "load", on, load.value);
+    put_load(c, "load", on, load.value, known_digits(&shown));
     if (!isnan(load.low))
         put_range(c, "interval", shown.low, shown.high, 2, "");
     return true;
@@ -508,7 +523,7 @@ static bool scans_to_decide(struct claims *c)
             const struct scene_asked *limit = &c->results->scene->limits[l];
             const struct estimate *known = results_estimate(c->results, usable(c, k), limit->quantity);
             const double sd = known->count > 1 ? known->sd : known->s;
-            if (check->verdict != LIMIT_UNDECIDED || !(sd > 0) || s->has_tiles)
+            if (check->verdict != LIMIT_UNDECIDED || !(sd > 0) || s->has_map)
                 continue;
             const size_t more = more_scans(sd, known->model_sd, fabs(log(check->value / limit->value)), s->scans);
             if (more == 0)
@@ -531,21 +546,30 @@ static double factor_on(const struct claims *c, size_t surface)
                : sqrt(estimate_end(estimate, 1) / estimate_end(estimate, 0));
 }
 
+/** The standard deviation of ln the answer from too few of the longest waves in a surface's scans: its part of the
+ * model's. */
+static double waves_sd(const struct claims *c, size_t surface)
+{
+    const double few = accuracy_few_waves_sd(c->results, surface),
+                 own = model_sd(model_rows[c->leading], c->asked.quantity, surface_knows_both(summary_of(c, surface)));
+    const double of_answer = results_estimate(c->results, surface, c->asked.quantity)->model_sd;
+    if (!(few > 0) || model_rows[c->leading]->uses_map)
+        return 0;
+    return of_answer > 0 ? of_answer * few / hypot(few, own) : quantity_of_joint(c->asked.quantity) ? 0 : few;
+}
+
 /** The widest interval of a modelled answer, and what part of its variance each cause has, the largest first. */
 static bool uncertainty(struct claims *c)
 {
     static const char *const names[] = {"model", "scans", "waves"}, *const of_map[] = {"model", "map", "waves"};
-    const char *const *causes = model_rows[c->leading]->uses_map ? of_map : names;
     const struct extent factor = extent_of(c, factor_on, INFINITY);
     if (!(factor.most > 1))
         return false;
     const size_t surface = factor.at_most;
+    const char *const *causes = summary_of(c, surface)->has_map ? of_map : names;
     const struct estimate *known = results_estimate(c->results, surface, c->asked.quantity);
-    const double few = summary_of(c, surface)->has_tiles ? 0 : accuracy_few_waves_sd(c->results, surface),
-                 own = model_sd(model_rows[c->leading], c->asked.quantity, surface_knows_both(summary_of(c, surface))),
-                 ofs = known->model_sd * known->model_sd,
-                 waves = few > 0 ? ofs * few * few / (few * few + own * own) : 0;
-    double variance[] = {ofs - waves, known->s * known->s, waves};
+    const double waves = pow(waves_sd(c, surface), 2);
+    double variance[] = {known->model_sd * known->model_sd - waves, known->s * known->s, waves};
     const double all = variance[0] + variance[1] + variance[2];
     struct text parts = {0};
     for (int n = 0; n < 3; n++) {
@@ -575,11 +599,11 @@ static bool not_flat_assumed(struct claims *c)
                                      .nominal_area_m2 = results->scene->nominal_area_m2,
                                      .effects = results->plan->running};
     if (way == JOINT_HEAT && /* gaps that conduct need loads far below those of the report */
-        ((runs(c, EFFECT_GAP) && joint.joint->fill != JOINT_VACUUM) ||
+        ((runs(c, EFFECT_GAP) && !(answer(c, c->i, QUANTITY_GAP) < 0.01 * answer(c, c->i, QUANTITY_JOINT))) ||
          (asked != QUANTITY_TCR && asked != QUANTITY_JOINT)))
         return false;
-    if (runs(c, EFFECT_SHAPE) || !(joint.nominal_area_m2 > 0) || record->summary.pair.unknown || !record->curves ||
-        !record->curves[c->leading].exists)
+    if (known_value(c->results, asked, c->i).measured || runs(c, EFFECT_SHAPE) || !(joint.nominal_area_m2 > 0) ||
+        record->summary.pair.unknown || !record->curves || !record->curves[c->leading].exists)
         return false;
     c->weight = shaped_usual_factor(&record->curves[c->leading], model_rows[c->leading], &joint,
                                     results_operating_load(results, c->i), way);
@@ -590,15 +614,6 @@ static bool not_flat_assumed(struct claims *c)
     put(c, "bulge", shaped_usual_flatness * side_m);
     put(c, "side", side_m);
     return c->weight >= 1.05;
-}
-
-/** Longest waves in a surface's scans where they are too few; else NaN. */
-static double few_waves(const struct claims *c, size_t surface)
-{
-    return !model_rows[c->leading]->uses_map && accuracy_few_waves_sd(c->results, surface) > 0 &&
-                   !nothing_touches(c, surface)
-               ? summary_of(c, surface)->longest_waves
-               : NAN;
 }
 
 /** What the model's error would be with scans in a second direction, where a surface lacks them. */
@@ -614,16 +629,23 @@ static bool one_direction(struct claims *c)
     c->weight = one / two;
     put_number(c, "one", one, one, 2, "");
     put_number(c, "two", two, two, 2, "");
-    return some && one >= 1.1 * two; /* with a hardness it is little */
+    return some && one >= 1.1 * two && !gaps_conduct(c) && !runs(c, EFFECT_SHAPE); /* with a hardness it is little */
+}
+
+static double modelled_waves_sd(const struct claims *c, size_t surface)
+{
+    const bool measured = known_value(c->results, c->asked.quantity, surface).measured;
+    return measured || nothing_touches(c, surface) ? NAN : waves_sd(c, surface);
 }
 
 static bool short_scans(struct claims *c)
 {
-    const double waves = extent_of(c, few_waves, INFINITY).least;
-    c->weight = model_factor(model_few_waves_sd(waves));
-    put(c, "waves", waves);
+    const struct extent sd = extent_of(c, modelled_waves_sd, INFINITY);
+    c->weight = model_factor(sd.most);
+    put(c, "waves", summary_of(c, sd.at_most)->longest_waves);
     put(c, "factor", c->weight);
-    return waves < INFINITY && c->weight >= 1.1;
+    put_surface(c, sd.at_most);
+    return c->weight >= 1.1 && isfinite(c->weight);
 }
 
 /* ---- What stands beside the answer ---- */
@@ -644,21 +666,21 @@ static bool direct(struct claims *c)
     for (int k = 0; k < 2; k++)
         put_number(c, names[k], value[k], own ? asked_shown(&c->asked, value[k]) : value[k] * unit.scale, 2,
                    own ? c->asked.unit : unit.unit);
-    put_load(c, "load", c->i, solved.load);
+    put_load(c, "load", c->i, solved.load, 3);
     return true;
 }
 
 static bool textbook(struct claims *c)
 {
     const size_t book = asked_textbook(c->results);
-    if (book == model_count || book == c->leading)
+    if (book == model_count || book == c->leading || nothing_touches(c, c->i))
         return false;
     put_text(c, "label", model_rows[book]->label);
     put_surface(c, c->i);
     if (c->asked.target) {
         const size_t t = (size_t)(c->asked.target - c->results->scene->targets);
         const struct answer *load = &summary_of(c, c->i)->answers[t * model_count + book];
-        put_load(c, "value", c->i, load->load);
+        put_load(c, "value", c->i, load->load, 3);
         return load->kind == ANSWER_LOAD && !load->full && !load->invalid;
     }
     const double value = comparison_middle(c->results, book, c->i).value[c->asked.quantity];
@@ -758,7 +780,7 @@ static double share_of(const struct claims *c, size_t surface)
     case EFFECT_PLATING:
         return answer(c, surface, QUANTITY_PLATING_FACTOR);
     case EFFECT_SHAPE:
-        return carrying > 0 ? 1e6 * carrying * scene->nominal_area_m2 : NAN;
+        return carrying > 0 && !nothing_touches(c, surface) ? 1e6 * carrying * scene->nominal_area_m2 : NAN;
     default:
         return answer(c, surface, QUANTITY_TEMPERATURE) - scene->joint.temperature_K;
     }
@@ -771,19 +793,21 @@ static bool share(struct claims *c)
     put_range(c, "share", extent.least, extent.most, 2, c->row->unit);
     put(c, "nominal", c->results->scene->nominal_area_m2);
     put(c, "current", c->results->scene->joint.current_A);
-    return runs(c, c->row->effect) && extent.most > 0;
+    const bool by_place = (c->row->effect == EFFECT_GAP || c->row->effect == EFFECT_FILM) && runs(c, EFFECT_SHAPE);
+    return runs(c, c->row->effect) && extent.most > 0 && !by_place; /* one number does not say it */
 }
 
 /** The model that `accuracy` chose. */
 static bool chosen(struct claims *c)
 {
     const struct scene *scene = c->results->scene;
-    const double factor = model_factor(scene->chosen_sd);
+    const double factor =
+        model_factor(model_sd(model_rows[c->leading], c->asked.quantity, surface_knows_both(summary_of(c, c->i))));
     c->key = factor - 1 <= scene->accuracy ? "chosen" : "chosen-nearest";
     put_text(c, "label", model_rows[c->leading]->label);
     put(c, "accuracy", scene->accuracy);
     put(c, "factor", factor);
-    return scene->chosen_sd > 0;
+    return scene->chosen_sd > 0 && !(accuracy_few_waves_sd(c->results, c->i) > 0);
 }
 
 /** Whose hardness counts, where there is a plating that may have its own. */
@@ -1006,7 +1030,7 @@ enum status_code claims_headline(json_t **out, const struct results *results, co
     if (c.asked.target)
         put_asked(&c, "target", c.asked.target);
     put_text(&c, "quantity", words_say(words, "%s", c.asked.name));
-    put_load(&c, "load", results->baseline, results_operating_load(results, results->baseline));
+    put_load(&c, "load", results->baseline, results_operating_load(results, results->baseline), 3);
     *out = NULL;
     if (add_words(&c, name) && add_part(&c, " ", ends[0]) && (ends[1] == ends[0] || add_part(&c, " and ", ends[1]))) {
         add_both(&c, ".**");

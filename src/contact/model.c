@@ -143,8 +143,7 @@ enum quantity model_shown(const struct model_row *row, enum quantity quantity)
 
 struct scans_reach model_task_reach(const struct model_task *task)
 {
-    bool open = task->rows && !task->rows->periodic;
-    return (struct scans_reach){open ? spectrum_longest_waves(task->spectrum) : 0, task->two_directions};
+    return (struct scans_reach){task->open ? spectrum_longest_waves(task->spectrum) : 0, task->two_directions};
 }
 
 double model_elastic_share(const struct model_row *row, const struct contact_point *point, double load_over_hardness)

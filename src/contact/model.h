@@ -50,6 +50,7 @@ struct model_task {
     double tolerance;
     enum sinusoid_fit_id sinusoid_fit;
     double hardness_Pa;            /* of the softer body; NaN: not known */
+    bool open;                     /* a scan does not close on itself */
     bool levelled;                 /* a line was subtracted from the scans, and with it their longest wave */
     bool carries_on;               /* beyond its largest area a model repeats its last answer: one of several scans */
     const struct strip_rows *rows; /* the profiles; NULL: none */

@@ -89,8 +89,10 @@ const struct quantity_row quantity_rows[] = {
                         QUANTITY_BIT(QUANTITY_SEPARATION) | QUANTITY_BIT(QUANTITY_TCR),
                         QUANTITY_RISES | QUANTITY_ENDS | QUANTITY_BANDED, .precedence = 5, .at_full = INFINITY,
                         .handy = {"W/(m²·K)", 1},
-                        .asked = {{"conductance", "h_j", 0, UNIT_CONDUCTANCE_AREA, 1e-30, 1e30}}, .panels = {{""}},
-                        .follows = FOLLOWS_RESISTANCE},
+                        .asked = {{"tcr", "TCR of the joint", UNIT_THERMAL_RESISTANCE, UNIT_THERMAL_RESISTANCE_AREA,
+                                   1e-30, 1e30, true},
+                                  {"conductance", "h_j", 0, UNIT_CONDUCTANCE_AREA, 1e-30, 1e30}},
+                        .panels = {{""}}, .follows = FOLLOWS_RESISTANCE},
     [QUANTITY_SPOT_DENSITY] = {"spots_per_m2", "n", "1/m²",
                                "number of the spots (film, plating, heating); of equal ones empty from A/Aₙ = 0.1 on",
                                ON_SPOTS, SPOTS, QUANTITY_BANDED},
@@ -105,15 +107,15 @@ const struct quantity_row quantity_rows[] = {
          .handy = {"mΩ·mm²", 1e9}, .asked = {{"ecr", "ECR", RESISTING}}, .panels = {{""}},
          .follows = FOLLOWS_RESISTANCE},
     [QUANTITY_SHAPE_JOINT] =
-        {"shape_W_per_m2K", "h", "W/(m²·K)",
+        {"shape_W_per_m2K", "h with shape", "W/(m²·K)",
          "h of the whole nominal area with the constriction that the parts' shape makes, and h_g (effect shape)",
          EFFECT_BIT(EFFECT_SHAPE), QUANTITY_BIT(QUANTITY_SEPARATION) | QUANTITY_BIT(QUANTITY_TCR),
          QUANTITY_RISES | QUANTITY_ENDS | QUANTITY_BANDED, .precedence = 6, .handy = {"W/(m²·K)", 1},
-         .asked = {{"conductance", "h with shape", 0, UNIT_CONDUCTANCE_AREA, 1e-30, 1e30},
-                   {"tcr", "TCR with shape", UNIT_THERMAL_RESISTANCE, UNIT_THERMAL_RESISTANCE_AREA, 1e-30, 1e30, true}},
+         .asked = {{"tcr", "TCR with shape", UNIT_THERMAL_RESISTANCE, UNIT_THERMAL_RESISTANCE_AREA, 1e-30, 1e30, true},
+                   {"conductance", "h with shape", 0, UNIT_CONDUCTANCE_AREA, 1e-30, 1e30}},
          .panels = {{""}}, .follows = FOLLOWS_RESISTANCE},
-    [QUANTITY_SHAPE_ECR] = {"shape_ecr_ohm_m2", "ECR", "Ω·m²", "ECR·Aₙ of it, with plating and film (effect shape)",
-                            EFFECT_BIT(EFFECT_SHAPE),
+    [QUANTITY_SHAPE_ECR] = {"shape_ecr_ohm_m2", "ECR with shape", "Ω·m²",
+                            "ECR·Aₙ of it, with plating and film (effect shape)", EFFECT_BIT(EFFECT_SHAPE),
                             QUANTITY_BIT(QUANTITY_SEPARATION) | QUANTITY_BIT(QUANTITY_AREA) |
                                 QUANTITY_BIT(QUANTITY_ECR),
                             QUANTITY_ENDS | QUANTITY_BANDED, .precedence = 7, .handy = {"mΩ·mm²", 1e9},
@@ -164,6 +166,8 @@ const char *quantity_shown_name(enum quantity quantity)
 enum quantity quantity_first(unsigned quantities)
 {
     enum quantity first = QUANTITY_LOAD;
+    if (quantities & QUANTITY_BIT(QUANTITY_JOINT)) /* filled gaps carry heat alone */
+        quantities &= ~QUANTITY_BIT(QUANTITY_SHAPE_ECR);
     for (int q = 0; q < QUANTITY_COUNT; q++)
         if ((quantities & QUANTITY_BIT(q)) && quantity_rows[q].precedence > quantity_rows[first].precedence)
             first = (enum quantity)q;

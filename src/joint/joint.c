@@ -175,25 +175,17 @@ double joint_shape_area(const struct joint_shape *shape, double load)
     return load >= shape->least && load <= shape->most ? exp(shape_curve_value(&slope, &shape->area, log(load))) : NAN;
 }
 
-double joint_shape_change(const struct joint_shape *shape, double load, int way, double factor)
-{
-    double slope;
-    if (!shape || !(load >= shape->least && load <= shape->most) || shape->spots[way].count == 0)
-        return NAN;
-    return 1 + exp(shape_curve_value(&slope, &shape->spots[way], log(load))) * (factor - 1);
-}
-
 /** Resistance with the shape, of a contact that has `own` where the parts are flat: that of the curve solved with the
  * shape, the part of its spots scaled as `own` differs from the flat curve. */
 static double shaped(const struct making *of, int way, double own)
 {
     const struct joint_shape *shape = of->shape;
     double load = of->value[QUANTITY_LOAD], slope;
-    if (!shape || shape->over[way].count == 0)
+    if (!shape || shape->over[way].count == 0 || !(load >= shape->least && load <= shape->most))
         return NAN;
     double flat = exp(shape_curve_value(&slope, &shape->flat[way], log(load)));
     double over = exp(shape_curve_value(&slope, &shape->over[way], log(load)));
-    return over * flat * joint_shape_change(shape, load, way, own / flat);
+    return over * flat * (1 + exp(shape_curve_value(&slope, &shape->spots[way], log(load))) * (own / flat - 1));
 }
 
 double joint_resistance(const double *value, const struct joint_task *task, int way)
@@ -333,6 +325,11 @@ void joint_bounds(double out[QUANTITY_COUNT][2], const struct contact_point *poi
     if (joint_is_held(point, task)) /* no metal touches */
         return;
     out[QUANTITY_AREA][1] = 1;
+    if (joint_has_bond_line(task)) {
+        out[QUANTITY_SEPARATION][0] = task->joint->bond_line_m / task->sigma_m;
+        out[QUANTITY_MEAN_GAP][0] = task->joint->bond_line_m;
+        out[QUANTITY_GAP][1] = task->joint->conductivity_W_per_mK / task->joint->bond_line_m;
+    }
     if (!row->plastic || !(share > 0 && share < 1))
         return;
     out[QUANTITY_AREA][0] = share;
@@ -349,8 +346,7 @@ void joint_bounds(double out[QUANTITY_COUNT][2], const struct contact_point *poi
     joint_apply(&one, NULL, 1, task, NULL);
     if (isfinite(one.value[QUANTITY_JOINT_ECR]))
         out[QUANTITY_JOINT_ECR][1] = one.value[QUANTITY_JOINT_ECR];
-    if (isfinite(one.value[QUANTITY_JOINT]))
-        out[QUANTITY_JOINT][0] = one.value[QUANTITY_JOINT];
+    out[QUANTITY_JOINT][0] = 1 / out[QUANTITY_TCR][1];
 }
 
 enum status_code joint_curve(struct model_curve *curve, const struct model_row *row, const struct model_task *task,

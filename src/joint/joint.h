@@ -62,9 +62,6 @@ struct joint_shape {
 void joint_shape_free(struct joint_shape *shape);
 /** The share of the nominal area that carries 90 % of the load; NaN: not known. */
 double joint_shape_area(const struct joint_shape *shape, double load);
-/** By what factor the resistance changes if that of flat parts changes by `factor`; NaN: not known (shape NULL, too).
- */
-double joint_shape_change(const struct joint_shape *shape, double load, int way, double factor);
 
 /** Air at 300 K and 101325 Pa, as in the table of gases. */
 struct joint joint_default(void);
@@ -114,8 +111,8 @@ void joint_model_sd(double out[QUANTITY_COUNT], const struct contact_point *poin
                     const struct joint_task *task, struct scans_reach reach);
 
 /** Physical bounds {least, most} at a point of a model with a hardness H; 0: none. Area: at least P/H. Resistance: at
- * most that of one spot of area P/H, (rho_1 + rho_2)/(4a), pi a² = P/H (Holm 1967), where the nominal area is known,
- * and with it what the joint derives from it. */
+ * most that of one spot of area P/H, (rho_1 + rho_2)/(4a), pi a² = P/H (Holm 1967), where the nominal area is known;
+ * with it the film's, and the conductance of the joint without its gaps. Gap: at least a bond line. */
 void joint_bounds(double out[QUANTITY_COUNT][2], const struct contact_point *point, const struct model_row *row,
                   const struct joint_task *task);
 

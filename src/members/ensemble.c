@@ -355,8 +355,15 @@ static void join(struct contact_point *point, struct estimate *estimates, const 
 }
 
 void ensemble_hold(struct estimate estimates[QUANTITY_COUNT], const struct contact_point *point,
-                   const struct joint_task *joint)
+                   const struct model_row *model, const struct joint_task *joint)
 {
+    double bound[QUANTITY_COUNT][2];
+    joint_bounds(bound, point, model, joint);
+    for (int q = 0; q < QUANTITY_COUNT; q++)
+        memcpy(estimates[q].bound, bound[q], sizeof bound[q]);
+    if (joint_has_bond_line(joint) &&
+        !joint_is_held(point, joint)) /* no more than the most of the spots and that of the filler together */
+        estimates[QUANTITY_JOINT].bound[1] = bound[QUANTITY_GAP][1] + 1 / estimate_end(&estimates[QUANTITY_TCR], 0);
     for (int q = QUANTITY_AREA; q < QUANTITY_COUNT && joint_is_held(point, joint); q++) {
         bool filler = q == QUANTITY_GAP || q == QUANTITY_JOINT;
         if (filler && !(point->value[QUANTITY_AREA] > 0)) /* the filler alone, which does not scatter */
@@ -374,9 +381,8 @@ void ensemble_settle(struct estimate estimates[QUANTITY_COUNT], const struct con
 {
     const double over_hardness =
         material_pair_pressure(joint->pair, point->value[QUANTITY_LOAD]) / joint->pair->hardness_Pa;
-    double sd[QUANTITY_COUNT], bound[QUANTITY_COUNT][2];
+    double sd[QUANTITY_COUNT];
     joint_model_sd(sd, point, model, joint, reach);
-    joint_bounds(bound, point, model, joint);
     for (int q = 0; q < QUANTITY_COUNT; q++) {
         estimates[q].model_sd = sd[q];
         if (quantity_rows[q].from && point->value[q] > 0)
@@ -384,9 +390,7 @@ void ensemble_settle(struct estimate estimates[QUANTITY_COUNT], const struct con
         else if (quantity_rows[q].from)
             estimates[q] = estimate_none;
     }
-    for (int q = 0; q < QUANTITY_COUNT; q++)
-        memcpy(estimates[q].bound, bound[q], sizeof bound[q]);
-    ensemble_hold(estimates, point, joint);
+    ensemble_hold(estimates, point, model, joint);
     if (model_area_is_pressed(model, point, over_hardness))
         estimates[QUANTITY_AREA].half_width = estimates[QUANTITY_AREA].next_half_width = NAN;
     bool yields = (joint->effects & EFFECT_BIT(EFFECT_PLASTICITY)) && model_is_overloaded(model, point, over_hardness);

@@ -144,11 +144,11 @@ struct ensemble_band *ensemble_band_make(const double *loads, size_t count);
  * these. */
 enum { CURVE_FULL_LOAD = QUANTITY_COUNT, CURVE_BETA, CURVE_ESTIMATES };
 
-/** Adjusts the estimates at a point where a filler's bond line keeps the gap open (joint_hold()); elsewhere does
- * nothing. Without metal contact only the filler's conductance remains, and has no scatter; else intervals are centred
- * on the point's own numbers. */
+/** Bounds the estimates at a point by physics (joint_bounds()), and adjusts them where a filler's bond line keeps the
+ * gap open (joint_hold()): without metal contact only the filler's conductance remains, and has no scatter; else
+ * intervals are centred on the point's own numbers. */
 void ensemble_hold(struct estimate estimates[QUANTITY_COUNT], const struct contact_point *point,
-                   const struct joint_task *joint);
+                   const struct model_row *model, const struct joint_task *joint);
 /** Completes the estimates of all quantities at a point: adds the model's own error, and centres the joint's quantities
  * on the point, since they are computed from means and are not means themselves. An area that is load over hardness has
  * no interval. */

@@ -54,6 +54,7 @@ struct model_task surface_model_task(const struct surface_record *record, const 
         .tolerance = scene->tolerance,
         .sinusoid_fit = scene->closure,
         .hardness_Pa = record->summary.pair.hardness_Pa,
+        .open = record->summary.periodic < record->summary.scans,
         .levelled = scene->level >= LEVEL_LINE && (scene->level_given || record->summary.periodic == 0) &&
                     !(scene->lambda_c_m > 0),
         .rows = record->strips.rows.rows > 0 ? &record->strips.rows : NULL,

@@ -16,10 +16,7 @@
 #include "spectrum/areal.h"
 #include "spectrum/power_law_scans.h"
 
-enum {
-    SURFACE_PREVIEW = 1000,   /* points of a profile kept for the chart */
-    SURFACE_LONGEST_WAVES = 4 /* with so many, direct solutions of Gaussian surfaces scatter by at most 10 % */
-};
+enum { SURFACE_PREVIEW = 1000 /* points of a profile kept for the chart */ };
 
 struct answer;      /* answers/answers.h */
 struct limit_check; /* the same */
@@ -75,7 +72,7 @@ struct surface_summary {
     size_t periodic;               /* scans that are periodic */
     size_t windowed;               /* scans that had a Hann window */
     struct convergence_tail tail;  /* the spectrum extrapolated to shorter wavelengths */
-    double longest_waves;          /* spectrum_longest_waves(); below SURFACE_LONGEST_WAVES a longer scan may differ */
+    double longest_waves;          /* spectrum_longest_waves() */
     double pressure_over_hardness; /* this and scale_dependence: effects_bound(); 0: not asked for, or none */
     double scale_dependence;
     struct curve_summary **models; /* [model]: NULL where a model has not run; owned; read by surface_model() */

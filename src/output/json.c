@@ -215,7 +215,9 @@ static json_t *measured_json(const struct results *results, size_t index)
     const struct measured *measured = &results->measured[index];
     const struct measured_answers *answers = &results->answers[index];
     const double ends[] = {estimate_end(&answers->fit, 0), estimate_end(&answers->fit, 1)};
-    const char *quantity = quantity_rows[measured_quantity(measured, results->plan->running)].name;
+    const enum quantity whole = measured_quantity(measured, results->plan->running);
+    const bool rises = quantity_rows[whole].is & QUANTITY_RISES;
+    const char *quantity = quantity_rows[rises ? measured_quantity(measured, 0) : whole].name;
     json_t *models = json_object();
     json_t *json = json_pack("{s:o, s:s, s:b, s:s, s:o}", "files", files_json(&measured->given->files), "model",
                              model_rows[answers->fitted]->name, "carried", answers->carried, "quantity", quantity,

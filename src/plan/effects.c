@@ -92,8 +92,8 @@ static void decide_scale_dependence(struct plan *plan, const struct surface_reco
     for (size_t i = 0; i < count; i++)
         most = fmax(most, surfaces[i].summary.scale_dependence);
     plan_decide(plan, EFFECT_SCALE_DEPENDENT, most > tolerance,
-                words_say(plan->words, "effect.raises_tcr\nby %.2g\n%s", fmin(most, DBL_MAX),
-                          most > tolerance ? "" : "little"));
+                words_say(plan->words, "%s\nby %.2g\n%s", most > 0 ? "effect.raises_tcr" : "effect.no_model",
+                          fmin(most, DBL_MAX), most > tolerance ? "" : "little"));
 }
 
 /** Records how many spectra can be extrapolated. */

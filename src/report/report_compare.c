@@ -210,7 +210,7 @@ static double shown_in(char unit[UNIT_LENGTH + 20], const struct compared *all, 
 {
     const struct quantity_row *row = &quantity_rows[quantity];
     char whole[UNIT_LENGTH];
-    if (!row->asked[0].total || !(all->area_m2 > 0)) {
+    if (!row->asked[0].total || row->asked[0].reciprocal || !(all->area_m2 > 0)) {
         snprintf(unit, UNIT_LENGTH, "%s", row->handy.unit);
         return row->handy.scale;
     }

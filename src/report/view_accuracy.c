@@ -21,6 +21,8 @@ static void put_models(json_t *out, const struct view_source *source)
 {
     const enum quantity quantity = source->asked.quantity;
     json_t *rows = view_list(out, "models");
+    view_text(out, "quantity",
+              words_say(source->words, "%s", quantity_of_joint(quantity) ? "asked.spots" : source->asked.name));
     double finest = 0, coarsest = 0, solved = 0;
     for (size_t m = 0; m < model_count; m++) {
         const struct accuracy accuracy = accuracy_of(source->results, m, quantity);

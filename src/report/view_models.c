@@ -46,7 +46,10 @@ static void put_model(json_t *out, const struct view_source *source, size_t m)
         if (in_table(source, q))
             view_number(view_item(view_list(row, "cells")), "text",
                         comparison_value(&at, q, m, sigma_m) * quantity_unit(q).scale, 3, "");
-    json_set(row, "full_load", curve->exists ? curve->full_load * scale : NAN);
+    const bool kept_open = plan_runs(results->plan, EFFECT_GAP) && results->scene->joint.bond_line_m > 0,
+               some_full =
+                   at.value[QUANTITY_AREA] < 1 && curve->full_load <= at.value[QUANTITY_LOAD]; /* not all scans */
+    json_set(row, "full_load", curve->exists && !kept_open && !some_full ? curve->full_load * scale : NAN);
     bool invalid = !curve_summary_is_valid(curve, at.value[QUANTITY_LOAD]);
     bool above = !pair->unknown &&
                  model_is_overloaded(model_rows[m], &at,

@@ -5,6 +5,7 @@
 #include "base/number_format.h"
 #include "results/known.h"
 #include <math.h>
+#include <string.h>
 
 enum { CLAIMS_MOST = 8 };
 
@@ -59,11 +60,25 @@ static void put_row(json_t *row, const struct view_source *source, size_t surfac
         }
 }
 
+/** Is there a claim of the ranking? Else it is not of what the table shows. */
+static bool ranking_is_told(const struct view_source *source)
+{
+    size_t i;
+    json_t *claim;
+    json_array_foreach(source->claims, i, claim)
+    {
+        const char *key = json_string_value(json_object_get(claim, "key"));
+        if (strcmp(key, "best") == 0 || strncmp(key, "same", 4) == 0)
+            return true;
+    }
+    return false;
+}
+
 static void put_table(json_t *out, const struct view_source *source)
 {
     const struct results *results = source->results;
     const struct scene *scene = results->scene;
-    const bool lettered = results->usable_count > 1 && source->comparison->count > 1;
+    const bool lettered = results->usable_count > 2 && ranking_is_told(source);
     json_t *rows = view_list(out, "rows");
     for (size_t i = 0; i < results->surface_count; i++)
         if (results->surfaces[i].summary.usable && json_array_size(rows) < VIEW_ROWS)
@@ -77,12 +92,6 @@ static void put_table(json_t *out, const struct view_source *source)
         view_text(head, "text", text);
     }
     view_flag(out, "has_letters", lettered);
-    if (lettered)
-        view_flag(out,
-                  results->usable_count > 2                              ? "many_letters"
-                  : comparison_told_apart(&source->comparison->pairs[0]) ? "two_differ"
-                                                                         : "two_alike",
-                  true);
     if (results->usable_count > VIEW_ROWS)
         json_set_count(out, "rows_left_out", results->usable_count - VIEW_ROWS);
 }

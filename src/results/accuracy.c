@@ -65,6 +65,8 @@ double accuracy_effect_factor(const struct results *results, enum effect effect,
     struct contact_point without = with;
     if (!plan_runs(results->plan, effect) || effect_rows[effect].adds || effect_rows[effect].studies)
         return NAN;
+    if (effect != EFFECT_SHAPE && effect != EFFECT_PLASTICITY && plan_runs(results->plan, EFFECT_SHAPE))
+        return NAN; /* the shape would have to be solved again */
     if (effect == EFFECT_PLASTICITY) {
         if (!row->elastic)
             return NAN;

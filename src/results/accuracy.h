@@ -16,6 +16,7 @@ struct accuracy {
     size_t used;                         /* the step nearest to the run's tolerance */
 };
 
+/** Of a joint: of the resistance of its spots. */
 struct accuracy accuracy_of(const struct results *results, size_t model, enum quantity quantity);
 
 /** What too few of the longest waves in a surface's scans add to the error of ln a quantity, whatever the model, in
@@ -23,7 +24,7 @@ struct accuracy accuracy_of(const struct results *results, size_t model, enum qu
 double accuracy_few_waves_sd(const struct results *results, size_t surface);
 
 /** What an effect that runs makes of a quantity of the leading model where the summary stands, on the baseline: the
- * value with it over that without. NaN: it has none to change. */
+ * value with it over that without. NaN: it has none to change, or only another solution would tell. */
 double accuracy_effect_factor(const struct results *results, enum effect effect, enum quantity quantity);
 
 #endif

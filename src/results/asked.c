@@ -106,7 +106,7 @@ struct asked asked_of(const struct results *results)
         asked_unit(unit, sizeof unit, unit_si(how->total));
         const struct contact_point at =
             comparison_middle(results, plan_leading_model(results->plan), results->baseline);
-        out.scale /= asked_prefix(out.unit, sizeof out.unit, unit, fabs(out.scale * at.value[out.quantity]));
+        out.scale /= asked_prefix(out.unit, sizeof out.unit, unit, asked_shown(&out, at.value[out.quantity]));
     } else {
         const struct quantity_unit shown = quantity_unit(out.quantity);
         out.scale = out.reciprocal ? 1 : shown.scale;

@@ -50,7 +50,7 @@ struct known known_value(const struct results *results, enum quantity quantity, 
     const double here =
                      passing(measured, measured->load, measured->resistance, results_operating_load(results, surface)),
                  half = isnan(fit->half_width) ? NAN : fit->half_width;
-    out.value = here > 0 ? here : model / carried;
+    out.value = here > 0 ? measured_as(quantity, here) : model / measured_as(quantity, carried);
     out.kind = isfinite(out.value) ? KNOWN_VALUE : KNOWN_NOTHING;
     out.low = out.value * exp(-half);
     out.high = out.value * exp(half);
@@ -85,7 +85,8 @@ struct known known_load(const struct results *results, const struct scene_asked 
         out.kind = KNOWN_AT_MOST;
     if (carried) {
         const struct measured *measured = results_measured(results, surface);
-        const double load = passing(measured, measured->resistance, measured->load, target->value);
+        const double load =
+            passing(measured, measured->resistance, measured->load, measured_as(target->quantity, target->value));
         out.low = out.high = NAN;
         if (load > 0) {
             out.kind = KNOWN_VALUE;
@@ -114,5 +115,6 @@ struct known known_shown(const struct results *results, const struct asked *aske
 
 int known_digits(const struct known *known)
 {
-    return isfinite(known->low) && isfinite(known->high) && known->high > 1.44 * known->low ? 2 : 3;
+    const bool wide = fmax(known->high, known->value) > 1.44 * fmin(known->low, known->value); /* one end may be NaN */
+    return known->kind == KNOWN_VALUE && (wide || known->short_loads) ? 2 : 3;
 }

@@ -212,8 +212,7 @@ static enum status_code evaluate(struct run *run, struct run_outcome *out, struc
     out->times.convergence = results->studies.sweep_seconds = lap(&last);
     if (plan_runs(results->plan, EFFECT_DIRECT) && run_direct(run, status) != STATUS_OK)
         return status->code;
-    if (!run->options->brief &&
-        threads_run(&results->threads, results->surface_count, look_at_map, run, status) != STATUS_OK)
+    if (threads_run(&results->threads, results->surface_count, look_at_map, run, status) != STATUS_OK)
         return status->code;
     out->times.direct = results->studies.contact_seconds = lap(&last);
     out->evaluations = work_table(&out->work, results, true);

@@ -42,7 +42,7 @@ static void decide(struct plan *plan, enum effect effect, const struct scene *sc
     const char *why, *lack = NULL;
     if (effect == EFFECT_CONVERGENCE &&
         !(plan_running_models(plan) & model_flagged(offsetof(struct model_row, stacks_scales)))) {
-        why = "effect.no_multiscale";
+        why = "effect.no_model";
     } else if (effect == EFFECT_DIRECT) { /* seconds where the rest takes milliseconds: never unasked */
         runs = scene->direct.called;
         why = "effect.direct";

@@ -46,17 +46,30 @@ TEST_IN_WORKSPACE(a_connector)
     expect_kept_picture(place, "out/figures/answer.svg");
 }
 
+/** Where a filler keeps the metals apart, several scans say the same: its conductance, and no full contact. */
+TEST_IN_WORKSPACE(a_bond_line)
+{
+    workspace_scan(place, "d/a/a-1.csv", 400, 1);
+    workspace_scan(place, "d/a/a-2.csv", 400, 2);
+    report_scene(place, "out",
+                 "material: copper\ngap: {filler: silicone grease, bond_line: 50 um}\noperating_load: 1 MPa\n"
+                 "load: {from: 0.1 MPa, to: 10 MPa, points: 21}\n");
+    expect_part(first_page(place, "out"), "the joint conductance is 1.60·10⁴ W/(m²·K) on");
+    assert_null(strstr(workspace_read(place, "out/report.md"), "full contact ("));
+}
+
 /** The conductance at 1 MPa, of a gap in air and of bare metal. */
 TEST_IN_WORKSPACE(a_conductance)
 {
     workspace_scan(place, "d/a.csv", 400, 1);
     report_scene(place, "gap",
-                 "material: copper\ngap: {gas: air}\noperating_load: 1 MPa\n"
+                 "material: copper\nnominal_area: 1 mm2\ngap: {gas: air}\noperating_load: 1 MPa\n"
                  "load: {from: 0.1 MPa, to: 10 MPa, points: 21}\n");
     char *page = first_page(place, "gap");
     expect_parts(page, "**At 1.00\u00a0MPa the joint conductance is ", "\u00a0W/(m²·K) (95\u00a0%: ");
     json_t *headline = json_object_get(workspace_json(place, "gap/view.json"), "headline");
     expect_parts(page, "The gaps carry ", json_string_value(json_object_get(headline, "markdown")));
+    expect_part(expect_exit(place, 0, "compare", "gap", "gap").out, "h_j (W/(m²·K))"); /* no resistance */
     report_scene(place, "bare",
                  "material: copper\neffects: [plasticity, thermal]\noperating_load: 1 MPa\n"
                  "load: {from: 0.1 MPa, to: 10 MPa, points: 21}\n");

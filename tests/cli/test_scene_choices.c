@@ -52,7 +52,7 @@ TEST_IN_WORKSPACE(no_dearer_model_than_the_accuracy_asks_for)
         {"290 %", "corrected-persson-plastic",
          "Gaussian heights with hardness is the cheapest model within 290\u00a0%"},
         {"200 %", "strip-plastic", "strip transfer with hardness is the cheapest model within 200 %"},
-        {"10 %", "strip-plastic", "No model is within 10 % (95 %); strip transfer with hardness comes nearest"},
+        {"10 %", "strip-plastic", "No quick model is within 10 % (95 %); strip transfer with hardness comes nearest"},
     };
     workspace_scan(place, "d/a.csv", 400, 1);
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {

@@ -235,12 +235,9 @@ TEST_CASE(test_few_longest_waves)
 {
     double amplitude_m[40] = {[1] = 1e-6}; /* two waves */
     const struct spectrum spectrum = {.amplitude_m = amplitude_m, .count = 40, .length_m = 1e-3};
-    struct strip_rows rows = {.periodic = false};
-    struct model_task task = {.spectrum = &spectrum, .rows = &rows};
+    struct model_task task = {.spectrum = &spectrum, .open = true};
     assert_near(model_task_reach(&task).longest_waves, 2, 1e-12);
-    rows.periodic = true;
-    assert_within(model_task_reach(&task).longest_waves, 0, 0);
-    task.rows = NULL;
+    task.open = false;
     assert_within(model_task_reach(&task).longest_waves, 0, 0);
     static const struct {
         const char *model;

@@ -83,6 +83,7 @@ TEST_CASE(keys_stand_for_what_is_called_for)
                 {"ecr", EFFECT_BIT(EFFECT_PLATING), QUANTITY_JOINT_ECR, true, false},
                 {"conductance", EFFECT_BIT(EFFECT_FILM), QUANTITY_TCR, true, true},
                 {"conductance", EFFECT_BIT(EFFECT_GAP), QUANTITY_JOINT, true, false},
+                {"tcr", EFFECT_BIT(EFFECT_GAP), QUANTITY_JOINT, true, true},
                 {"temperature", EFFECT_BIT(EFFECT_FILM), QUANTITY_TEMPERATURE, false, false},
                 {"temperature", EFFECT_BIT(EFFECT_HEATING), QUANTITY_TEMPERATURE, true, false},
                 {"friction", 0, QUANTITY_COUNT, false, false}};
@@ -102,4 +103,19 @@ TEST_CASE(the_greatest_precedence_comes_first)
     assert_int_equal(quantity_first(area | QUANTITY_BIT(QUANTITY_TCR)), QUANTITY_TCR);
     assert_int_equal(quantity_first(area | QUANTITY_RESISTANCES), QUANTITY_ECR);
     assert_int_equal(quantity_first(area | QUANTITY_RESISTANCES | QUANTITY_BIT(QUANTITY_JOINT)), QUANTITY_JOINT);
+    assert_int_equal(quantity_first(area | QUANTITY_RESISTANCES | QUANTITY_BIT(QUANTITY_SHAPE_ECR) |
+                                    QUANTITY_BIT(QUANTITY_SHAPE_JOINT)),
+                     QUANTITY_SHAPE_ECR);
+    assert_int_equal(quantity_first(area | QUANTITY_RESISTANCES | QUANTITY_BIT(QUANTITY_SHAPE_ECR) |
+                                    QUANTITY_BIT(QUANTITY_SHAPE_JOINT) | QUANTITY_BIT(QUANTITY_JOINT)),
+                     QUANTITY_SHAPE_JOINT);
+}
+
+/** `compare` shows these in one table. */
+TEST_CASE(symbols_of_handy_quantities_differ)
+{
+    for (int q = 0; q < QUANTITY_COUNT; q++)
+        for (int r = 0; r < q; r++)
+            if (quantity_rows[q].handy.unit && quantity_rows[r].handy.unit)
+                assert_string_not_equal(quantity_rows[q].short_symbol, quantity_rows[r].short_symbol);
 }

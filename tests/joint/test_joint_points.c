@@ -78,6 +78,16 @@ TEST_CASE(physics_bounds)
     assert_near(bound[QUANTITY_TCR][1], (1 / 400.0 + 1 / 400.0) / (4 * radius_m) * area_m2, 1e-12);
     assert_near(bound[QUANTITY_JOINT_ECR][1], (one_ohm + 1e-12 / (M_PI * radius_m * radius_m)) * area_m2, 1e-9);
     assert_true(bound[QUANTITY_SEPARATION][0] == 0 && bound[QUANTITY_SEPARATION][1] == 0);
+    assert_near(bound[QUANTITY_JOINT][0], 2 * radius_m * 400 / area_m2, 1e-12); /* however wide the gaps may be */
+    joint.fill = JOINT_MEDIUM;
+    joint.conductivity_W_per_mK = 0.8;
+    joint.bond_line_m = 0.5e-6;
+    struct joint_task filled = task;
+    filled.effects = EFFECT_BIT(EFFECT_GAP);
+    joint_bounds(bound, &point, plastic, &filled);
+    assert_near(bound[QUANTITY_GAP][1], 0.8 / 0.5e-6, 1e-12);
+    assert_near(bound[QUANTITY_MEAN_GAP][0], 0.5e-6, 1e-12);
+    assert_near(bound[QUANTITY_SEPARATION][0], 0.5, 1e-12);
     joint_bounds(bound, &point, plastic->elastic, &task);
     assert_true(bound[QUANTITY_AREA][0] == 0 && bound[QUANTITY_ECR][1] == 0);
     const struct joint_task unsized = {&joint, &yielding, 1e-6, NAN, 0, 1e-12, NULL};

@@ -38,10 +38,18 @@ TEST_CASE(digits_are_those_that_an_interval_leaves)
 {
     static const struct {
         double low, high;
+        bool short_loads;
         int digits;
-    } cases[] = {{1, 1.43, 3}, {1, 1.45, 2}, {NAN, 2, 3}, {1, INFINITY, 3}};
+    } cases[] = {
+        {1, 1.43, false, 3}, {1, 1.45, false, 2}, {NAN, 2, false, 2}, {NAN, NAN, false, 3}, {NAN, NAN, true, 2}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
-        assert_int_equal(known_digits(&(struct known){.low = cases[i].low, .high = cases[i].high}), cases[i].digits);
+        assert_int_equal(known_digits(&(struct known){.kind = KNOWN_VALUE,
+                                                      .value = 1.2,
+                                                      .low = cases[i].low,
+                                                      .high = cases[i].high,
+                                                      .short_loads = cases[i].short_loads}),
+                         cases[i].digits);
+    assert_int_equal(known_digits(&(struct known){.kind = KNOWN_AT_MOST, .value = 1, .low = NAN, .high = 2}), 3);
 }
 
 /* Less resistance is better, or more area where no current flows; a surface without an answer comes last. */
