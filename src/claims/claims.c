@@ -290,7 +290,7 @@ static bool few_spots(struct claims *c)
 {
     const struct extent spots = extent_of(c, spots_on, answers_least_spots);
     c->key = spots.most < 1 ? "few-spots-one" : "few-spots";
-    put_range(c, "spots", fmax(spots.least, 1), fmax(spots.most, 1), 2, "");
+    put_range(c, "spots", fmax(spots.least, 1), fmax(spots.most, 1), 1, "");
     return put_names(c, &spots.on);
 }
 
