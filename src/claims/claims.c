@@ -257,7 +257,7 @@ static bool beyond_hardness(struct claims *c)
     const double pressure_Pa = material_pair_pressure(pair, results_operating_load(c->results, c->i));
     put(c, "hardness", pair->hardness_Pa);
     put(c, "pressure", pressure_Pa);
-    return model_rows[c->leading]->plastic && pressure_Pa >= pair->hardness_Pa;
+    return isnan(answer(c, c->i, QUANTITY_AREA)) && pressure_Pa >= pair->hardness_Pa;
 }
 
 /** How many spots carry the answer's load: the model's count, or that of equal spots with the same area and resistance,

@@ -413,13 +413,12 @@ void view_findings(json_t *out, const struct view_source *source)
     if (!source->results->convergence || !kinds)
         return;
     json_t *list = view_list(out, "findings");
-    view_flag(out, "has_findings", true);
     for (size_t i = 0; i < sizeof checks / sizeof *checks; i++) {
         const struct check *row = &checks[i];
         struct finding finding = {.source = source, .row = row, .law_m = law_m};
         if ((row->effects & ~plan->running) || (row->models & ~kinds) || source->results->usable_count < row->surfaces)
             continue;
-        json_t *item = view_item(list), *numbers = view_list(item, "numbers"), *opposed = view_list(item, "opposed");
+        json_t *item = json_object(), *numbers = view_list(item, "numbers"), *opposed = view_list(item, "opposed");
         for (size_t m = 0, called = 0; m < model_count && !((row->is & ONCE) && called > 0); m++)
             if (((row->models ? row->models : FAMILIES) & speaks(plan, m)) && ++called)
                 check_model(&finding, numbers, opposed, m);
@@ -432,9 +431,12 @@ void view_findings(json_t *out, const struct view_source *source)
         json_set_count(item, "good", good);
         json_set_count(item, "all", all);
         view_some(item, "ties", finding.all.ties);
-        view_flag(item, "holds", all > 0 && good == all);
+        view_flag(item, "holds", good == all);
         view_flag(item, "in_part", good < all && 2 * good >= all);
         view_flag(item, "fails", 2 * good < all);
-        view_flag(item, "not_tested", all == 0);
+        if (all > 0)
+            json_array_append(list, item);
+        json_decref(item);
     }
+    view_flag(out, "has_findings", json_array_size(list) > 0);
 }
