@@ -107,8 +107,10 @@ static void put_all_surfaces(json_t *out, const struct view_source *source)
         if (adjusts(source, m)) {
             json_t *head = view_item(heads);
             view_text(head, "label", model_rows[m]->label);
-            if (model_rows[m]->counterpart)
+            if (plan_runs_model(results->plan, model_index(model_rows[m]->counterpart))) {
                 view_text(head, "beside", model_rows[m]->counterpart->label);
+                view_flag(item, "some_beside", true);
+            }
         }
     const bool betas = json_array_size(heads) > 0;
     for (size_t i = 0; i < results->surface_count && betas; i++) {
@@ -122,7 +124,8 @@ static void put_all_surfaces(json_t *out, const struct view_source *source)
                 json_t *full = view_item(cells);
                 view_flag(full, model_rows[m]->plastic ? "beta_plastic" : "beta_elastic", true);
                 view_number(full, "text", curve->exists ? curve->beta : NAN, 3, "");
-                view_number(view_item(cells), "text", curve->exists ? curve->beta_multiscale : NAN, 3, "");
+                if (plan_runs_model(results->plan, model_index(model_rows[m]->counterpart)))
+                    view_number(view_item(cells), "text", curve->exists ? curve->beta_multiscale : NAN, 3, "");
             }
     }
     view_flag(item, "has_betas", betas);

@@ -179,6 +179,10 @@ TEST_IN_DIRECTORY(whose_mean_free_path)
         char *report = directory_read(place, "out/report.md");
         assert_int_equal(strstr(report, "`mean_free_path: electron`") != NULL, k == 0);
     }
+    pipeline_report(place, "in", "out", /* the material's own is neither */
+                    "material: {E: 41 GPa, nu: 0.36, Sy: 14 MPa, conductivity: 67 W/m/K, density: 7310, "
+                    "specific_heat: 227, sound_speed: 2730, mean_free_path: 5 nm}\neffects: [scale-dependent]\n");
+    expect_not_in_file(place, "out/report.md", "mean free path");
 }
 
 /** The last row of the block of a chart's data that begins at `at`: x and y. */

@@ -242,3 +242,21 @@ TEST_IN_DIRECTORY(an_elastic_answer_above_the_hardness_is_marked)
         assert_int_equal(strstr(report, ", 95 %)") != NULL, k == 1);
     }
 }
+
+/* Table 6.3 has a column by the multiscale model where that runs; "No lay is known" is of all surfaces. */
+TEST_IN_DIRECTORY(what_is_not_there_is_not_told)
+{
+    static const char *const scenes[] = {"models: [gw]\nsurfaces: [{name: a, file: a.csv}, {name: b, file: b.csv}]\n",
+                                         "models: [gw, multiscale-elastic]\nbaseline: a\n"
+                                         "surfaces: [{name: a, file: a.csv}, {name: b, file: b.csv, lay: 0.1}]\n"};
+    pipeline_rough(place, "in/a.csv", 400, 1, 1);
+    pipeline_rough(place, "in/b.csv", 400, 2, 2);
+    for (int k = 0; k < 2; k++) {
+        pipeline_report(place, "in", "out", scenes[k]);
+        char *report = directory_read(place, "out/report.md");
+        assert_non_null(strstr(report, "| β of GW, full contact |"));
+        assert_int_equal(strstr(report, "| β of GW, multiscale elastic |") != NULL, k == 1);
+        assert_int_equal(strstr(report, "nearest to the multiscale") != NULL, k == 1);
+        assert_int_equal(strstr(report, "No lay is known") != NULL, k == 0);
+    }
+}
