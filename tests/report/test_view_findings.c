@@ -184,6 +184,32 @@ PLACED(test_equal_neighbours_and_laws)
     assert_found("sooner", NULL); /* at the same load is not sooner */
 }
 
+static void make_as_rough(struct surface_record *record, size_t index)
+{
+    record->summary.roughness.rq_m = 2e-7 * (1 + 1e-9 * (double)index);
+}
+
+PLACED(test_surfaces_as_rough_as_others_have_no_order)
+{
+    static const char *const names[] = {"area_rank", "ecr_rank", "separation_rank", "gamma_rank", "beta_rank"};
+    make("gw", "multiscale-elastic", make_as_rough);
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+        assert_found(names[i], NULL);
+}
+
+/* Surfaces that are the same lie at no distance, which is no unequal one. */
+static void make_the_same(struct surface_record *record, size_t index)
+{
+    for (size_t i = 0; index < MADE_UP_USABLE && i < MADE_UP_LOADS; i++)
+        values_of(record, "multiscale-elastic", i)[QUANTITY_ECR] = 1e-10;
+}
+
+PLACED(test_the_same_surfaces_lie_at_no_distance)
+{
+    make("gw", "multiscale-elastic", make_the_same);
+    assert_found("equal_steps", NULL);
+}
+
 /* Curves that end early, with a load of their own, are compared up to their last common load; ones that do not exist
  * not at all. */
 static void cut_short(struct surface_record *record, size_t index)
