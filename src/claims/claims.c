@@ -449,12 +449,15 @@ static bool further_target(struct claims *c)
                        shown = known_shown(c->results, &of.asked, target, on);
     put_asked(c, "target", target);
     put_text(c, "symbol", target->symbol);
-    c->key = isinf(cost_of(&of, on)) ? "target-never" : isnan(load.low) ? "target-alone" : "target";
+    c->key = isinf(cost_of(&of, on))      ? "target-never"
+             : load.kind == KNOWN_AT_MOST ? "target-most"
+             : isnan(load.low)            ? "target-alone"
+                                          : "target";
     if (target == c->asked.target || isinf(cost_of(&of, on)))
         return target != c->asked.target;
     put_surface(c, on);
     put_load(c, "load", on, load.value);
-    if (!isnan(load.low))
+    if (!isnan(load.low) && load.kind == KNOWN_VALUE)
         put_range(c, "interval", shown.low, shown.high, 2, "");
     return true;
 }
