@@ -100,7 +100,8 @@ static bool look_up(struct search *search, double load)
         i++;
     if (i == known->count || known->points[i].value[QUANTITY_LOAD] > load * (1 + 1e-14))
         return false;
-    search->full_load = joint_is_held(&known->points[i], &search->joint) ? NAN : known->full_load;
+    const bool ends = joint_is_held(&known->points[i], &search->joint) || !model_curve_bears(known, known->full_load);
+    search->full_load = ends ? NAN : known->full_load;
     search->point = known->points[i];
     search->value = value_at(&search->point, search->target->quantity);
     return true;
@@ -123,8 +124,8 @@ static void run_at(struct search *search, double load)
     const struct contact_point *held = first_held(search);
     const struct model_task one = model_task_at(&search->task, &load, 1);
     search->point = quantity_nothing();
-    search->value = NAN;
-    if (look_up(search, load))
+    search->value = search->full_load = NAN;
+    if (!model_curve_bears(search->known, load) || look_up(search, load))
         return;
     bool beyond = held && held->value[QUANTITY_LOAD] <= load;
     if (!beyond && ensemble_curve(&curve, NULL, search->set, search->row, &one, search->status) != STATUS_OK)
@@ -137,7 +138,7 @@ static void run_at(struct search *search, double load)
     }
     if (joint_curve(&curve, search->row, &one, &search->joint, search->status) != STATUS_OK)
         return;
-    search->full_load = curve.exists ? curve.full_load : NAN;
+    search->full_load = curve.exists && model_curve_bears(search->known, curve.full_load) ? curve.full_load : NAN;
     if (curve.count > 0 && points[0].value[QUANTITY_LOAD] == load) {
         search->point = points[0];
         search->value = value_at(points, search->target->quantity);
@@ -382,6 +383,8 @@ static struct limit_check check_limit(const struct surface_record *record, size_
 {
     const struct model_curve *curve = &record->curves[leading];
     struct limit_check out = {.value = NAN, .low = NAN, .high = NAN};
+    if (!model_curve_bears(curve, load))
+        return out;
     for (size_t i = 0; curve->exists && i < curve->count; i++)
         if (curve->points[i].value[QUANTITY_LOAD] == load &&
             (!model_rows[leading]->textbook || curve_summary_point_is_valid(&curve->points[i], model_rows[leading])))

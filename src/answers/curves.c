@@ -118,6 +118,8 @@ static enum status_code run_model(struct surface_record *record, size_t m, const
     curve->kink.wavelength_m *= surface_kappa(&record->summary); /* in the scans' lengths */
     if (curve->exists)
         joint_hold(curve->points, curve->count, &joint);
+    if (model_rows[m]->plastic && !(curve->count > 0 && joint_is_held(&curve->points[curve->count - 1], &joint)))
+        curve->crushed_load = task->pair->hardness_Pa / task->pair->effective_modulus_Pa;
     if (joint_curve(curve, model_rows[m], task, &joint, status) != STATUS_OK) /* for several scans, on the mean curve */
         return status->code;
     if (curve->exists)

@@ -257,7 +257,7 @@ static bool beyond_hardness(struct claims *c)
     const double pressure_Pa = material_pair_pressure(pair, results_operating_load(c->results, c->i));
     put(c, "hardness", pair->hardness_Pa);
     put(c, "pressure", pressure_Pa);
-    return model_rows[c->leading]->plastic && pressure_Pa >= pair->hardness_Pa;
+    return isnan(answer(c, c->i, QUANTITY_AREA)) && pressure_Pa >= pair->hardness_Pa;
 }
 
 /** How many spots carry the answer's load, in proportion to the load: those counted on a map that leads, else the
@@ -469,7 +469,7 @@ static bool further_target(struct claims *c)
         return target != c->asked.target;
     put_surface(c, on);
     put_load(c, "load", on, load.value, known_digits(&shown));
-    if (!isnan(load.low))
+    if (!isnan(load.low) && load.kind == KNOWN_VALUE)
         put_range(c, "interval", shown.low, shown.high, 2, "");
     return true;
 }

@@ -163,6 +163,11 @@ bool model_is_overloaded(const struct model_row *row, const struct contact_point
     return !row->plastic && point->value[QUANTITY_AREA] > 0 && load_over_hardness > point->value[QUANTITY_AREA];
 }
 
+bool model_curve_bears(const struct model_curve *curve, double load)
+{
+    return !(curve->crushed_load > 0 && load >= curve->crushed_load);
+}
+
 size_t model_task_operating(const struct model_task *task)
 {
     return task->operating_place > 0 ? task->operating_place - 1 : task->load_count / 2;

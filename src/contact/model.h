@@ -80,6 +80,7 @@ struct model_curve {
     struct contact_point *points;
     size_t count;              /* statistical: the last is the point of full contact if the loads reach it */
     double full_load;          /* P/(A_n E') at which A = A_n; NaN: not known */
+    double crushed_load;       /* at which P = H and a plastic model's answers end; 0, NaN: none */
     double closed_load;        /* at which the (adjusted) separation is 0; NaN: not known */
     double beta;               /* of the adjusted separation, else NaN */
     struct contact_point full; /* at full_load; NaN where that is not known */
@@ -195,6 +196,9 @@ bool model_area_is_pressed(const struct model_row *row, const struct contact_poi
  * known.
  */
 bool model_is_overloaded(const struct model_row *row, const struct contact_point *point, double load_over_hardness);
+
+/** Is the mean pressure below what the softer body bears, as far as it ends a model's answers? */
+bool model_curve_bears(const struct model_curve *curve, double load);
 
 /** The quantity to show: for separation the adjusted one, of models that have it. */
 enum quantity model_shown(const struct model_row *row, enum quantity quantity);

@@ -39,7 +39,7 @@ const struct model_row model_direct = {
     .equations = "at equal area p = p_G p₁/p_G1, and so ℓ and the gap; 1 the squares solved, G1 Gaussian heights of "
                  "their spectrum (direct transfer)",
     .source = "Polonsky and Keer, Wear 231 (1999) 206; resistance: the same kernel on the points in contact; between "
-              "loads by corrected-persson of the same spectrum at equal area",
+              "loads by Gaussian heights of the same spectrum at equal area",
     .assumes = "the map is the surface, and goes on as its mirror image; small slopes; no yield",
     .valid = VALID,
     .method = "conjugate gradients on the map's grid at up to 32 loads",

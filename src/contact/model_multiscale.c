@@ -94,7 +94,7 @@ const struct model_row model_multiscale_plastic = {
         "Krithivasan and Jackson, Tribol. Lett. 27 (2007) 31; Jackson, Krithivasan and Wilson, Proc. IMechE J 222 "
         "(2008) 1; Wilson, Auburn University (2008)",
     .assumes = "as multiscale elastic, with yield of every scale above its critical amplitude; no hardening",
-    .valid = "any area ratio; the area steps up by up to 8 % where a scale begins to yield",
+    .valid = "P below H; the area steps up by up to 8 % where a scale begins to yield",
     .method = "direct sum over scales",
     .run = run,
 };

@@ -174,12 +174,7 @@ static enum status_code run(struct model_curve *curve, const struct model_row *r
     return rc;
 }
 
-#define VALID_GAUSSIAN                                                                                                 \
-    "A/A_n up to 0.97 (it ends there): area within a factor 1.12, separation 1.12, resistance 1.21 (rms) of direct "   \
-    "solutions of Gaussian surfaces"
-#define VALID_HARDNESS                                                                                                 \
-    "A/A_n up to 0.97 (it ends there): area within a factor 1.08, separation 1.5, resistance 1.3 (rms) of direct "     \
-    "solutions with the same hardness, where the elastic answer is right"
+static const char valid[] = "A/A_n up to 0.97, where it ends";
 
 const struct model_row model_corrected_persson = {
     .name = "corrected-persson",
@@ -197,7 +192,7 @@ const struct model_row model_corrected_persson = {
     .source = "Persson, J. Chem. Phys. 115 (2001) 3840, and Phys. Rev. Lett. 99 (2007) 125502, corrected at equal area "
               "by direct solutions; resistance and separation: Barber, Proc. R. Soc. A 459 (2003) 53",
     .assumes = "isotropic surface with the scans' spectrum and Gaussian heights; no yield",
-    .valid = VALID_GAUSSIAN,
+    .valid = valid,
     .method = "closed form for the area; grouped sum over rings for the resistance; its integral for the separation",
     .run = run,
 };
@@ -219,10 +214,10 @@ const struct model_row model_corrected_persson_plastic = {
             "the hardness",
     .equations = "A⁴ = Aₑ⁴ + (P/H)⁴, gap⁻³ = gapₑ⁻³ + w gap_b⁻³, ℓ⁻³ = ℓₑ⁻³ + w (ℓ_b/0.8)⁻³; e elastic, b the bearing "
                  "curve of Gaussian heights (hardness)",
-    .source = "as corrected-persson; under load as elastic contact and bearing curve (Abbott and Firestone 1933) in "
+    .source = "as Gaussian heights; under load as elastic contact and bearing curve (Abbott and Firestone 1933) in "
               "parallel, exponents from direct solutions with a hardness",
-    .assumes = "as corrected-persson, with yield: no pressure above the hardness; no hardening",
-    .valid = VALID_HARDNESS,
+    .assumes = "as Gaussian heights, with yield: no pressure above the hardness; no hardening",
+    .valid = valid,
     .method = "closed form of the elastic answer",
     .run = run,
 };
@@ -243,10 +238,9 @@ const struct model_row model_strip = {
     .equations = "at equal area p = p_G p₁/⟨p₁⟩, and so ℓ and the gap; G Gaussian heights, 1 the scan as a strip, ⟨⟩ "
                  "Gaussian strips (strip transfer)",
     .source = "the scans solved as strips (Polonsky and Keer, Wear 231 (1999) 206) over Gaussian strips of the same "
-              "spectrum, times corrected-persson",
+              "spectrum, times Gaussian heights",
     .assumes = "isotropic surface of any heights, known from its scans; no yield",
-    .valid = "A/A_n up to 0.97 (it ends there): area within a factor 1.25, separation 1.5, resistance 1.5 (rms) of "
-             "direct solutions of surfaces of any heights",
+    .valid = valid,
     .method = "direct solution of strips",
     .run = run,
 };
@@ -270,10 +264,11 @@ const struct model_row model_strip_plastic = {
         "solves the scans as strips, corrects Persson's theory by them, and lets no spot bear more than the hardness",
     .equations = "A⁴ = Aₑ⁴ + (P/H)⁴, gap⁻³ = gapₑ⁻³ + w gap_b⁻³, ℓ⁻³ = ℓₑ⁻³ + w (ℓ_b/0.8)⁻³; e elastic, b the bearing "
                  "curve of the scans (hardness)",
-    .source = "as strip; under load as elastic contact and the scans' bearing curve (Abbott and Firestone 1933) in "
-              "parallel, exponents from direct solutions with a hardness",
-    .assumes = "as strip, with yield: no pressure above the hardness; no hardening",
-    .valid = VALID_HARDNESS,
+    .source =
+        "as strip transfer; under load as elastic contact and the scans' bearing curve (Abbott and Firestone 1933) in "
+        "parallel, exponents from direct solutions with a hardness",
+    .assumes = "as strip transfer, with yield: no pressure above the hardness; no hardening",
+    .valid = valid,
     .method = "closed form of the elastic answer",
     .run = run,
 };

@@ -41,7 +41,8 @@ struct curve_validity curve_summary_validity(const struct model_curve *curve, co
     if (valid.first == curve->count)
         valid.first = 0;
     valid.end = valid.first;
-    while (valid.end < curve->count && curve_summary_point_is_valid(&curve->points[valid.end], row))
+    while (valid.end < curve->count && curve_summary_point_is_valid(&curve->points[valid.end], row) &&
+           model_curve_bears(curve, curve->points[valid.end].value[QUANTITY_LOAD]))
         valid.end++;
     return valid;
 }
@@ -91,7 +92,7 @@ void curve_summary_make(struct curve_summary *model, const struct model_curve *c
     fit_area_slope(model, curve);
     for (size_t i = 0; i < curve->count; i++) {
         const struct contact_point *point = &curve->points[i], *before = i > 0 ? point - 1 : NULL;
-        if (point->value[QUANTITY_LOAD] == operating_load)
+        if (point->value[QUANTITY_LOAD] == operating_load && model_curve_bears(curve, operating_load))
             model->operating = *point;
         model->most_beyond_fit = fmax(model->most_beyond_fit, point->beyond_fit);
         model->most_radius_clamped = fmax(model->most_radius_clamped, point->radius_clamped);

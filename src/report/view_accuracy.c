@@ -95,7 +95,8 @@ static void put_stability(json_t *out, const struct view_source *source)
                 continue;
             own += curve->clamped;
             clamped = fmax(clamped, curve->most_radius_clamped);
-            outside += !curve_summary_is_valid(curve, results_operating_load(results, i));
+            outside += isfinite(curve->operating.value[QUANTITY_AREA]) &&
+                       !curve_summary_is_valid(curve, results_operating_load(results, i));
         }
         limited += own;
         if (own > most_limited) {

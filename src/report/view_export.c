@@ -87,7 +87,9 @@ static void put_rows(json_t *rows, struct law laws[LAWS], const struct surface_r
     const struct model_curve *curve = &record->curves[m];
     const struct ensemble_band *bands = record->bands ? record->bands[m] : NULL;
     double last = 0;
-    for (size_t i = 0; i < curve->count && (!bands || i < record->band_count); i++) {
+    for (size_t i = 0; i < curve->count && (!bands || i < record->band_count) &&
+                       model_curve_bears(curve, curve->points[i].value[QUANTITY_LOAD]);
+         i++) {
         const struct contact_point *point = &curve->points[i];
         double pressure_Pa = material_pair_pressure(&record->summary.pair, point->value[QUANTITY_LOAD]);
         bool whole = (laws[0].exists || laws[1].exists) && pressure_Pa > last * (1 + 1e-8);

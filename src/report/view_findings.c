@@ -101,6 +101,16 @@ static double slack_of(const struct finding *f, double x, double y)
     return f->source->results->scene->tolerance * fmax(fabs(x), fabs(y));
 }
 
+/** Is the surface that the k-th smoothest is held against another one that is rougher, or itself? */
+static bool is_ordered(const struct finding *f, size_t k)
+{
+    const size_t next = k + f->step;
+    if (next >= f->source->results->usable_count)
+        return false;
+    const double rq_m = record_of(f, k)->summary.roughness.rq_m, rougher_m = record_of(f, next)->summary.roughness.rq_m;
+    return f->step == 0 || rougher_m - rq_m > slack_of(f, rq_m, rougher_m);
+}
+
 static void widen(struct finding *f, double value)
 {
     if (f->row->scale == 0 || !isfinite(value))
@@ -217,8 +227,7 @@ static double error_of(const struct finding *f, size_t k)
 static void check_order(struct finding *f, size_t k)
 {
     const size_t next = k + f->step;
-    if (f->other == model_count || next >= f->source->results->usable_count ||
-        (f->row->with != NEIGHBOUR && !record_of(f, k)->curves))
+    if (f->other == model_count || !is_ordered(f, k) || (f->row->with != NEIGHBOUR && !record_of(f, k)->curves))
         return;
     double x = number_of(f, f->m, k), y = number_of(f, f->other, next);
     double slack = f->row->is & ONCE    ? hypot(error_of(f, k), error_of(f, next))
@@ -241,7 +250,7 @@ static void check_loads(struct finding *f, size_t k)
     const struct quantity_row *row = &quantity_rows[quantity];
     const double least = row->sigma_column ? 1 : 0; /* what a difference of gaps is small against */
     const size_t next = k + f->step;
-    for (size_t i = 0; i < f->source->results->load_count; i++) {
+    for (size_t i = 0; is_ordered(f, k) && i < f->source->results->load_count; i++) {
         const struct contact_point *a = point_at(f, f->m, k, i), *b = point_at(f, f->other, next, i);
         if (!a || !b || (a->value[QUANTITY_AREA] == 1 && b->value[QUANTITY_AREA] == 1) ||
             ((f->row->is & HIGH) && !is_high(f, k, a) && !is_high(f, next, b)))
@@ -348,7 +357,7 @@ static void conclude(struct finding *f)
         good = first.bad > first.good && 2 * (own.good - first.good) > others;
         f->least = f->most = 100 * (double)first.bad / (double)cases;
     } else if (f->row->is & EVEN) {
-        asked = own.good > 1;
+        asked = own.good > 1 && (f->least != 0 || f->most != 0); /* surfaces that are the same have no distance */
         good = f->least > 0 && f->most <= 2 * f->least;
     } else {
         f->all = (struct tally){f->all.good + own.good, f->all.bad + own.bad, f->all.ties + own.ties};
@@ -413,13 +422,12 @@ void view_findings(json_t *out, const struct view_source *source)
     if (!source->results->convergence || !kinds)
         return;
     json_t *list = view_list(out, "findings");
-    view_flag(out, "has_findings", true);
     for (size_t i = 0; i < sizeof checks / sizeof *checks; i++) {
         const struct check *row = &checks[i];
         struct finding finding = {.source = source, .row = row, .law_m = law_m};
         if ((row->effects & ~plan->running) || (row->models & ~kinds) || source->results->usable_count < row->surfaces)
             continue;
-        json_t *item = view_item(list), *numbers = view_list(item, "numbers"), *opposed = view_list(item, "opposed");
+        json_t *item = json_object(), *numbers = view_list(item, "numbers"), *opposed = view_list(item, "opposed");
         for (size_t m = 0, called = 0; m < model_count && !((row->is & ONCE) && called > 0); m++)
             if (((row->models ? row->models : FAMILIES) & speaks(plan, m)) && ++called)
                 check_model(&finding, numbers, opposed, m);
@@ -432,9 +440,12 @@ void view_findings(json_t *out, const struct view_source *source)
         json_set_count(item, "good", good);
         json_set_count(item, "all", all);
         view_some(item, "ties", finding.all.ties);
-        view_flag(item, "holds", all > 0 && good == all);
+        view_flag(item, "holds", good == all);
         view_flag(item, "in_part", good < all && 2 * good >= all);
         view_flag(item, "fails", 2 * good < all);
-        view_flag(item, "not_tested", all == 0);
+        if (all > 0)
+            json_array_append(list, item);
+        json_decref(item);
     }
+    view_flag(out, "has_findings", json_array_size(list) > 0);
 }

@@ -35,7 +35,6 @@ static void put_model(json_t *out, const struct view_source *source, size_t m)
     size_t surface = results->baseline;
     const struct contact_point at = comparison_middle(results, m, surface);
     const struct curve_summary *curve = surface_model(view_summary(source, surface), m);
-    const struct material_pair *pair = results_pair(results, surface);
     double scale = asked_load_of(results, surface).scale, sigma_m = view_summary(source, surface)->asperities.sigma_m;
     struct text anchor = {0};
     html_anchor(&anchor, model_rows[m]->label);
@@ -50,10 +49,8 @@ static void put_model(json_t *out, const struct view_source *source, size_t m)
                some_full =
                    at.value[QUANTITY_AREA] < 1 && curve->full_load <= at.value[QUANTITY_LOAD]; /* not all scans */
     json_set(row, "full_load", curve->exists && !kept_open && !some_full ? curve->full_load * scale : NAN);
-    bool invalid = !curve_summary_is_valid(curve, at.value[QUANTITY_LOAD]);
-    bool above = !pair->unknown &&
-                 model_is_overloaded(model_rows[m], &at,
-                                     material_pair_pressure(pair, at.value[QUANTITY_LOAD]) / pair->hardness_Pa);
+    bool invalid = !curve_summary_is_valid(curve, at.value[QUANTITY_LOAD]),
+         above = comparison_overloaded(results, m, surface);
     view_flag(row, "invalid", invalid);
     view_flag(row, "above_hardness", above);
     if (invalid)
@@ -76,9 +73,10 @@ static void put_one_surface(json_t *out, const struct view_source *source)
     for (size_t m = 0; m < model_count; m++)
         if (plan_runs_model(results->plan, m) && surface_model(&source->baseline->summary, m)->exists)
             put_model(item, source, m);
-    const struct material_pair *pair = results_pair(results, results->baseline);
-    if (wants(source, QUANTITY_TCR_SCALE_DEPENDENT) && results->scene->mean_free_path == SCENE_MEAN_FREE_PATH_THESIS)
-        json_set(item, "phonon_path_m", pair->mean_free_path_m[0]);
+    view_flag(item, "phonons",
+              wants(source, QUANTITY_TCR_SCALE_DEPENDENT) &&
+                  results->scene->mean_free_path == SCENE_MEAN_FREE_PATH_THESIS &&
+                  isnan(source->baseline->summary.scene->bodies.material.mean_free_path_m));
     const struct curve_summary *leading = surface_model(&source->baseline->summary, source->leading);
     if (leading->exists)
         json_set(item, "area_slope", leading->area_slope);
@@ -112,8 +110,10 @@ static void put_all_surfaces(json_t *out, const struct view_source *source)
         if (adjusts(source, m)) {
             json_t *head = view_item(heads);
             view_text(head, "label", model_rows[m]->label);
-            if (model_rows[m]->counterpart)
+            if (plan_runs_model(results->plan, model_index(model_rows[m]->counterpart))) {
                 view_text(head, "beside", model_rows[m]->counterpart->label);
+                view_flag(item, "some_beside", true);
+            }
         }
     const bool betas = json_array_size(heads) > 0;
     for (size_t i = 0; i < results->surface_count && betas; i++) {
@@ -127,7 +127,8 @@ static void put_all_surfaces(json_t *out, const struct view_source *source)
                 json_t *full = view_item(cells);
                 view_flag(full, model_rows[m]->plastic ? "beta_plastic" : "beta_elastic", true);
                 view_number(full, "text", curve->exists ? curve->beta : NAN, 3, "");
-                view_number(view_item(cells), "text", curve->exists ? curve->beta_multiscale : NAN, 3, "");
+                if (plan_runs_model(results->plan, model_index(model_rows[m]->counterpart)))
+                    view_number(view_item(cells), "text", curve->exists ? curve->beta_multiscale : NAN, 3, "");
             }
     }
     view_flag(item, "has_betas", betas);

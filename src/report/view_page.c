@@ -10,8 +10,8 @@
 enum { CLAIMS_MOST = 8 };
 
 /** A load or an answer as a cell has it: "0.92 (0.28–3.2)", "0.97 (measured)", "≤ 0.1", "–". */
-static void put_known(json_t *row, const char *name, const struct view_source *source, const struct scene_asked *target,
-                      size_t surface)
+static void put_known(json_t *out, json_t *row, const char *name, const struct view_source *source,
+                      const struct scene_asked *target, size_t surface)
 {
     static const char *const signs[] = {[KNOWN_VALUE] = "", [KNOWN_AT_MOST] = "≤\u00a0", [KNOWN_MORE_THAN] = ">\u00a0"};
     const struct known known = known_shown(source->results, &source->asked, target, surface);
@@ -30,14 +30,19 @@ static void put_known(json_t *row, const char *name, const struct view_source *s
         number_format(&interval, known.high, 2);
     json_t *cell = view_part(row, name);
     view_text(cell, "value", text_string(&text));
-    if (modelled && (low || high))
+    if (modelled && (low || high)) {
         view_text(cell, "interval", text_string(&interval));
+        view_flag(out, target ? "load_95" : "value_95", true);
+    }
     view_flag(cell, "measured", known.measured && known.kind != KNOWN_NOTHING);
+    view_flag(cell, "overloaded", known.overloaded);
+    if (known.overloaded)
+        view_flag(out, "some_overloaded", true);
     text_free(&text);
     text_free(&interval);
 }
 
-static void put_row(json_t *row, const struct view_source *source, size_t surface, bool lettered)
+static void put_row(json_t *out, json_t *row, const struct view_source *source, size_t surface, bool lettered)
 {
     static const char *const verdicts[] = {
         [LIMIT_NO_VALUE] = "no_value", [LIMIT_MET] = "met", [LIMIT_MISSED] = "missed", [LIMIT_UNDECIDED] = "undecided"};
@@ -47,9 +52,9 @@ static void put_row(json_t *row, const struct view_source *source, size_t surfac
     view_flag(row, "map", summary->has_map);
     json_set(row, "rq_m", summary->has_map ? summary->measured.sq_m : summary->roughness.rq_m);
     view_law(row, &summary->power_law);
-    put_known(row, "value", source, NULL, surface);
+    put_known(out, row, "value", source, NULL, surface);
     if (source->asked.target)
-        put_known(row, "load", source, source->asked.target, surface);
+        put_known(out, row, "load", source, source->asked.target, surface);
     for (size_t l = 0; l < source->results->scene->limit_count && l < ASKED_LIMIT_COLUMNS; l++)
         view_flag(view_item(view_list(row, "limits")), verdicts[summary->limits[l].verdict], true);
     for (size_t p = 0; lettered && p < ranking->count; p++)
@@ -82,7 +87,7 @@ static void put_table(json_t *out, const struct view_source *source)
     json_t *rows = view_list(out, "rows");
     for (size_t i = 0; i < results->surface_count; i++)
         if (results->surfaces[i].summary.usable && json_array_size(rows) < VIEW_ROWS)
-            put_row(view_item(rows), source, i, lettered);
+            put_row(out, view_item(rows), source, i, lettered);
     for (size_t l = 0; l < scene->limit_count && l < ASKED_LIMIT_COLUMNS; l++) {
         char text[UNIT_LENGTH + 20];
         json_t *head = view_item(view_list(out, "limit_heads"));

@@ -124,7 +124,7 @@ void view_surfaces(json_t *out, const struct view_source *source)
     json_t *item = view_part(out, "surfaces"), *rows = view_list(item, "rows");
     view_columns(view_list(item, "heads"), source->words, surface_fields, tables_surface_when(results));
     view_flag(item, "gaps", plan_quantities(source->results->plan) & QUANTITY_BIT(QUANTITY_JOINT));
-    size_t scans = 0, of_maps = 0, periodic = 0, windowed = 0, lawless = 0, last_lawless = 0;
+    size_t scans = 0, of_maps = 0, periodic = 0, windowed = 0, lays = 0, lawless = 0, last_lawless = 0;
     bool has_maps = false;
     for (size_t i = 0; i < results->surface_count; i++) {
         const struct surface_summary *s = view_summary(source, i);
@@ -135,6 +135,7 @@ void view_surfaces(json_t *out, const struct view_source *source)
         of_maps += s->repeats.count > 0 && s->repeats.scans == 1 ? s->scans : 0;
         periodic += s->periodic;
         windowed += s->windowed;
+        lays += s->has_lay;
         bool law = power_law_holds(&s->power_law);
         lawless += !law;
         last_lawless = law ? last_lawless : i;
@@ -163,7 +164,7 @@ void view_surfaces(json_t *out, const struct view_source *source)
     if (results->counterface)
         json_set(item, "counterface_rq_m", results->counterface->summary.roughness.rq_m);
     put_bodies(item, source);
-    view_flag(item, "isotropic", !source->baseline->summary.has_lay);
+    view_flag(item, "isotropic", lays == 0);
 }
 
 /* ---- Inputs ---- */

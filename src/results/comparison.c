@@ -22,6 +22,15 @@ struct contact_point comparison_middle(const struct results *results, size_t mod
     return summary->exists ? summary->operating : quantity_nothing();
 }
 
+bool comparison_overloaded(const struct results *results, size_t model, size_t surface)
+{
+    const struct contact_point at = comparison_middle(results, model, surface);
+    const struct material_pair *pair = results_pair(results, surface);
+    return !pair->unknown &&
+           model_is_overloaded(model_rows[model], &at,
+                               material_pair_pressure(pair, at.value[QUANTITY_LOAD]) / pair->hardness_Pa);
+}
+
 double comparison_heights_factor(const struct results *results, size_t surface, enum quantity quantity)
 {
     size_t leading = plan_leading_model(results->plan), gaussian = model_index(model_rows[leading]->gaussian);

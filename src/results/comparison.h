@@ -47,6 +47,8 @@ struct contact_point comparison_middle(const struct results *results, size_t mod
 /** A quantity of the leading model over that of its `gaussian` at the surface's operating load: what the heights do;
  * NaN: one of them has none. */
 double comparison_heights_factor(const struct results *results, size_t surface, enum quantity quantity);
+/** Does a model's contact there bear more than the hardness (model_is_overloaded())? */
+bool comparison_overloaded(const struct results *results, size_t model, size_t surface);
 /** Value of a quantity of a model's point, as tables and charts show it. */
 double comparison_value(const struct contact_point *point, enum quantity quantity, size_t model, double sigma_m);
 

@@ -37,12 +37,18 @@ struct known known_value(const struct results *results, enum quantity quantity, 
     const double carried = known_carried(results, quantity, surface),
                  model = comparison_middle(results, leading, surface).value[quantity];
     const struct estimate *estimate = results_estimate(results, surface, quantity);
-    struct known out = {isfinite(model) ? KNOWN_VALUE : KNOWN_NOTHING, model, estimate_end(estimate, 0),
-                        estimate_end(estimate, 1), .measured = carried != 1};
+    struct known out = {isfinite(model) ? KNOWN_VALUE : KNOWN_NOTHING,
+                        model,
+                        estimate_end(estimate, 0),
+                        estimate_end(estimate, 1),
+                        .measured = carried != 1,
+                        .overloaded = carried == 1 && comparison_overloaded(results, leading, surface)};
     for (int side = 0; side < 2 && !out.measured; side++)
         if (estimate->bound[side] > 0 && (side ? model > estimate->bound[1] : model < estimate->bound[0]))
-            return (struct known){
-                side ? KNOWN_AT_MOST : KNOWN_MORE_THAN, estimate->bound[side], NAN, NAN, false, false};
+            return (struct known){.kind = side ? KNOWN_AT_MOST : KNOWN_MORE_THAN,
+                                  .value = estimate->bound[side],
+                                  .low = NAN,
+                                  .high = NAN};
     if (!out.measured)
         return out;
     const struct estimate *fit = &results->answers[surface].fit;
@@ -80,7 +86,8 @@ struct known known_load(const struct results *results, const struct scene_asked 
     const size_t t = (size_t)(target - results->scene->targets), leading = plan_leading_model(results->plan);
     const struct answer *answer = &record->summary.answers[t * model_count + leading];
     const bool carried = known_carried(results, target->quantity, surface) != 1;
-    struct known out = {kinds[answer->kind], answer->load, answer->low, answer->high, carried, false};
+    struct known out = {kinds[answer->kind], answer->load, answer->low,
+                        answer->high,        carried,      .overloaded = !carried && answer->above_hardness};
     if (answer->kind == ANSWER_LOAD && answer->full)
         out.kind = KNOWN_AT_MOST;
     if (carried) {

@@ -152,7 +152,8 @@ enum quantity results_criterion(const struct results *results)
 const struct estimate *results_estimate(const struct results *results, size_t surface, enum quantity quantity)
 {
     const struct surface_summary *summary = &results->surfaces[surface].summary;
-    return curve_summary_estimate(surface_model(summary, plan_leading_model(results->plan)), (int)quantity);
+    const struct curve_summary *leading = surface_model(summary, plan_leading_model(results->plan));
+    return isnan(leading->operating.value[quantity]) ? &estimate_none : curve_summary_estimate(leading, (int)quantity);
 }
 
 double results_cost(const struct results *results, size_t surface)

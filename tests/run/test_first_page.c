@@ -205,3 +205,58 @@ TEST_IN_DIRECTORY(an_effect_of_little_has_its_sign)
         expect_in_file(place, "out/report.md", asked[k][1]);
     }
 }
+
+/* No model answers where the pressure is the hardness or more, 39.76 MPa of tin; below it they do. */
+TEST_IN_DIRECTORY(no_answer_beyond_the_hardness)
+{
+    static const char scene[] =
+        "material: tin\nnominal_area: 1 mm2\noperating_load: %d N\nmodels: [multiscale-plastic%s]\n"
+        "load: {from: 0.1 N, to: 1000 N, points: 41}\nlimits: {ecr: {most: 1 ohm}}\ntargets: [{ecr: %s ohm}]\n"
+        "export: comsol\neffects: [auto, uncertainty]\nsurfaces: [{name: a, file: a.csv}]\n";
+    pipeline_rough(place, "in/a.csv", 400, 1, 1);
+    pipeline_report(place, "in", "out", filled(scene, 60, ", gw", "1e-9"));
+    expect_in_file(place, "out/report.md", "*a* needs more than 39.8", " ¶ |", "**The load exceeds the hardness:**");
+    expect_not_in_file(place, "out/report.md", "Uncertainty", "N, 95 %", "Ω, 95 %");
+    expect_in_file(place, "out/data/limits.csv", ",no value\n");
+    expect_in_file(place, "out/export/a.comsol.txt", "it holds from 100000 Pa to 31622776.6 Pa\n", "\n31622776.6 ");
+    expect_not_in_file(place, "out/export/a.comsol.txt", "\n39810717.1 ");
+    pipeline_report(place, "in", "out", filled(scene, 30, "", "1e-9"));
+    expect_in_file(place, "out/report.md", "Uncertainty", "Ω, 95 %");
+    expect_not_in_file(place, "out/report.md", "exceeds the hardness", "¶");
+    expect_in_file(place, "out/data/limits.csv", ",met\n");
+}
+
+/* An elastic model that leads has the mark of a contact above the hardness beside its answer. */
+TEST_IN_DIRECTORY(an_elastic_answer_above_the_hardness_is_marked)
+{
+    static const char *const kinds[] = {"hardness: 40 MPa", "hardness: 1 GPa"};
+    pipeline_rough(place, "in/a.csv", 400, 1, 1);
+    for (int k = 0; k < 2; k++) {
+        pipeline_report(place, "in", "out",
+                        filled("material: tin\n%s\nmodels: [multiscale-elastic]\noperating_load: 1 MPa\n", kinds[k]));
+        char *report = directory_read(place, "out/report.md"), *page = strstr(report, "\n---\n");
+        assert_non_null(page);
+        *page = '\0';
+        assert_int_equal(strstr(report, " ¶ |") != NULL, k == 0);
+        assert_int_equal(strstr(report, "\n¶ elastic, though") != NULL, k == 0);
+        assert_int_equal(strstr(report, ", 95 %)") != NULL, k == 1);
+    }
+}
+
+/* Table 6.3 has a column by the multiscale model where that runs; "No lay is known" is of all surfaces. */
+TEST_IN_DIRECTORY(what_is_not_there_is_not_told)
+{
+    static const char *const scenes[] = {"models: [gw]\nsurfaces: [{name: a, file: a.csv}, {name: b, file: b.csv}]\n",
+                                         "models: [gw, multiscale-elastic]\nbaseline: a\n"
+                                         "surfaces: [{name: a, file: a.csv}, {name: b, file: b.csv, lay: 0.1}]\n"};
+    pipeline_rough(place, "in/a.csv", 400, 1, 1);
+    pipeline_rough(place, "in/b.csv", 400, 2, 2);
+    for (int k = 0; k < 2; k++) {
+        pipeline_report(place, "in", "out", scenes[k]);
+        char *report = directory_read(place, "out/report.md");
+        assert_non_null(strstr(report, "| β of GW, full contact |"));
+        assert_int_equal(strstr(report, "| β of GW, multiscale elastic |") != NULL, k == 1);
+        assert_int_equal(strstr(report, "nearest to the multiscale") != NULL, k == 1);
+        assert_int_equal(strstr(report, "No lay is known") != NULL, k == 0);
+    }
+}
