@@ -290,13 +290,22 @@ static bool few_spots(struct claims *c)
     return put_names(c, &spots.on);
 }
 
+/** The surface's resistance over the model's by a test of its own, which stands above it; 1: none does. */
+static double tested(const struct claims *c, size_t surface)
+{
+    const struct measured *test = results_measured(c->results, surface);
+    const enum quantity quantity = results_measured_quantity(c->results);
+    const struct known known = known_value(c->results, test ? quantity : QUANTITY_VOLTAGE, surface);
+    return known.measured && !test->thermal ? known.value / answer(c, surface, quantity) : 1;
+}
+
 /** Does the voltage over a spot soften the softer metal, or melt it? */
 static bool heated(struct claims *c)
 {
     const struct joint *joint = &c->results->scene->joint;
     const struct material *metal = scene_softer(&summary_of(c, c->i)->scene->bodies);
     const struct heating_metal *stands = heating_metal_find(metal->name);
-    const double voltage_V = answer(c, c->i, QUANTITY_VOLTAGE);
+    const double voltage_V = answer(c, c->i, QUANTITY_VOLTAGE) * tested(c, c->i);
     if (!stands)
         return false;
     const double melting_V = heating_voltage(stands->melting_K, joint->temperature_K);
@@ -352,8 +361,9 @@ static bool measured(struct claims *c)
         return true;
     put_number(c, "factor", factor, factor, digits, "");
     put_range(c, "interval", isfinite(low) ? low : factor, isfinite(high) ? high : factor, digits, "");
+    put_text(c, "quantity", words_say(c->words, "asked.%s", quantity_rows[results_measured_quantity(c->results)].name));
     c->key = "measured-beside";
-    if (known_carried(c->results, results_measured_quantity(c->results), c->i) == 1)
+    if (!known_value(c->results, c->asked.quantity, c->i).measured)
         return true;
     c->key = "measured";
     const struct known load =
@@ -449,12 +459,15 @@ static bool further_target(struct claims *c)
                        shown = known_shown(c->results, &of.asked, target, on);
     put_asked(c, "target", target);
     put_text(c, "symbol", target->symbol);
-    c->key = isinf(cost_of(&of, on)) ? "target-never" : isnan(load.low) ? "target-alone" : "target";
+    c->key = isinf(cost_of(&of, on))      ? "target-never"
+             : load.kind == KNOWN_AT_MOST ? "target-most"
+             : isnan(load.low)            ? "target-alone"
+                                          : "target";
     if (target == c->asked.target || isinf(cost_of(&of, on)))
         return target != c->asked.target;
     put_surface(c, on);
     put_load(c, "load", on, load.value);
-    if (!isnan(load.low))
+    if (load.kind != KNOWN_AT_MOST && !isnan(load.low))
         put_range(c, "interval", shown.low, shown.high, 2, "");
     return true;
 }
@@ -753,14 +766,16 @@ static double share_of(const struct claims *c, size_t surface)
                    ? NAN
                    : 100 * answer(c, surface, QUANTITY_GAP) / answer(c, surface, QUANTITY_JOINT);
     case EFFECT_FILM:
-        return 100 * scene->joint.film_ohm_m2 / answer(c, surface, QUANTITY_AREA) /
-               answer(c, surface, QUANTITY_JOINT_ECR);
+        /* of a measured resistance its part is not known */
+        return tested(c, surface) != 1 ? NAN
+                                       : 100 * scene->joint.film_ohm_m2 / answer(c, surface, QUANTITY_AREA) /
+                                             answer(c, surface, QUANTITY_JOINT_ECR);
     case EFFECT_PLATING:
         return answer(c, surface, QUANTITY_PLATING_FACTOR);
     case EFFECT_SHAPE:
         return carrying > 0 ? 1e6 * carrying * scene->nominal_area_m2 : NAN;
     default:
-        return answer(c, surface, QUANTITY_TEMPERATURE) - scene->joint.temperature_K;
+        return heating_rise(answer(c, surface, QUANTITY_VOLTAGE) * tested(c, surface), scene->joint.temperature_K);
     }
 }
 
