@@ -290,22 +290,13 @@ static bool few_spots(struct claims *c)
     return put_names(c, &spots.on);
 }
 
-/** The surface's resistance over the model's by a test of its own, which stands above it; 1: none does. */
-static double tested(const struct claims *c, size_t surface)
-{
-    const struct measured *test = results_measured(c->results, surface);
-    const enum quantity quantity = results_measured_quantity(c->results);
-    const struct known known = known_value(c->results, test ? quantity : QUANTITY_VOLTAGE, surface);
-    return known.measured && !test->thermal ? known.value / answer(c, surface, quantity) : 1;
-}
-
 /** Does the voltage over a spot soften the softer metal, or melt it? */
 static bool heated(struct claims *c)
 {
     const struct joint *joint = &c->results->scene->joint;
     const struct material *metal = scene_softer(&summary_of(c, c->i)->scene->bodies);
     const struct heating_metal *stands = heating_metal_find(metal->name);
-    const double voltage_V = answer(c, c->i, QUANTITY_VOLTAGE) * tested(c, c->i);
+    const double voltage_V = known_value(c->results, QUANTITY_VOLTAGE, c->i).value;
     if (!stands)
         return false;
     const double melting_V = heating_voltage(stands->melting_K, joint->temperature_K);
@@ -767,15 +758,16 @@ static double share_of(const struct claims *c, size_t surface)
                    : 100 * answer(c, surface, QUANTITY_GAP) / answer(c, surface, QUANTITY_JOINT);
     case EFFECT_FILM:
         /* of a measured resistance its part is not known */
-        return tested(c, surface) != 1 ? NAN
-                                       : 100 * scene->joint.film_ohm_m2 / answer(c, surface, QUANTITY_AREA) /
-                                             answer(c, surface, QUANTITY_JOINT_ECR);
+        return known_value(c->results, QUANTITY_VOLTAGE, surface).measured
+                   ? NAN
+                   : 100 * scene->joint.film_ohm_m2 / answer(c, surface, QUANTITY_AREA) /
+                         answer(c, surface, QUANTITY_JOINT_ECR);
     case EFFECT_PLATING:
         return answer(c, surface, QUANTITY_PLATING_FACTOR);
     case EFFECT_SHAPE:
         return carrying > 0 ? 1e6 * carrying * scene->nominal_area_m2 : NAN;
     default:
-        return heating_rise(answer(c, surface, QUANTITY_VOLTAGE) * tested(c, surface), scene->joint.temperature_K);
+        return known_value(c->results, QUANTITY_TEMPERATURE, surface).value - scene->joint.temperature_K;
     }
 }
 
