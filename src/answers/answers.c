@@ -3,6 +3,7 @@
 
 #include "answers/measured.h"
 #include "base/clock.h"
+#include "joint/heating.h"
 #include "joint/joint.h"
 #include "members/surface.h"
 #include <gsl/gsl_errno.h>
@@ -400,6 +401,21 @@ static struct limit_check check_limit(const struct surface_record *record, size_
     return out;
 }
 
+/** What the model has to say where a target is met: the measured resistance is the model's over the carried factor, and
+ * so is the voltage that heats. */
+static double carried_target(const struct scene_asked *target, const struct surface_summary *summary,
+                             const struct scene *scene, const struct plan *plan)
+{
+    const struct quantity_asked *how;
+    const double ambient_K = scene->joint.temperature_K, factor = summary->carried;
+    if (target->quantity == summary->carried_quantity)
+        return target->value * measured_as(target->quantity, factor); /* conductance is the model's times it */
+    if (target->quantity != QUANTITY_TEMPERATURE ||
+        summary->carried_quantity != quantity_of_key(&how, "ecr", plan->running))
+        return target->value;
+    return ambient_K + heating_rise(factor * heating_voltage(target->value, ambient_K), ambient_K);
+}
+
 enum status_code answers_find(struct surface_record *record, const struct scene *scene, const struct plan *plan,
                               const struct model_task *task, struct status *status)
 {
@@ -434,9 +450,8 @@ enum status_code answers_find(struct surface_record *record, const struct scene 
         for (size_t t = 0; t < scene->target_count; t++) {
             struct answer *answer = &summary->answers[t * model_count + m];
             struct scene_asked target = scene->targets[t];
-            if (summary->carried > 0 && m == summary->carried_model && target.quantity == summary->carried_quantity)
-                target.value *=
-                    measured_as(target.quantity, summary->carried); /* conductance is the model's times it */
+            if (summary->carried > 0 && m == summary->carried_model)
+                target.value = carried_target(&target, summary, scene, plan);
             if (answer_target(answer, record, &target, search) != STATUS_OK)
                 return status->code;
             bool met =

@@ -300,7 +300,7 @@ static bool heated(struct claims *c)
     const struct joint *joint = &c->results->scene->joint;
     const struct material *metal = scene_softer(&summary_of(c, c->i)->scene->bodies);
     const struct heating_metal *stands = heating_metal_find(metal->name);
-    const double voltage_V = answer(c, c->i, QUANTITY_VOLTAGE);
+    const double voltage_V = known_value(c->results, QUANTITY_VOLTAGE, c->i).value;
     if (!stands)
         return false;
     const double melting_V = heating_voltage(stands->melting_K, joint->temperature_K);
@@ -357,8 +357,9 @@ static bool measured(struct claims *c)
         return true;
     put_number(c, "factor", factor, factor, digits, "");
     put_range(c, "interval", isfinite(low) ? low : factor, isfinite(high) ? high : factor, digits, "");
+    put_text(c, "quantity", words_say(c->words, "asked.%s", quantity_rows[results_measured_quantity(c->results)].name));
     c->key = "measured-beside";
-    if (known_carried(c->results, results_measured_quantity(c->results), c->i) == 1)
+    if (!known_value(c->results, c->asked.quantity, c->i).measured)
         return true;
     c->key = "measured";
     const struct known load =
@@ -775,14 +776,17 @@ static double share_of(const struct claims *c, size_t surface)
                    ? NAN
                    : 100 * answer(c, surface, QUANTITY_GAP) / answer(c, surface, QUANTITY_JOINT);
     case EFFECT_FILM:
-        return 100 * scene->joint.film_ohm_m2 / answer(c, surface, QUANTITY_AREA) /
-               answer(c, surface, QUANTITY_JOINT_ECR);
+        /* of a measured resistance its part is not known */
+        return known_value(c->results, QUANTITY_VOLTAGE, surface).measured
+                   ? NAN
+                   : 100 * scene->joint.film_ohm_m2 / answer(c, surface, QUANTITY_AREA) /
+                         answer(c, surface, QUANTITY_JOINT_ECR);
     case EFFECT_PLATING:
         return answer(c, surface, QUANTITY_PLATING_FACTOR);
     case EFFECT_SHAPE:
         return carrying > 0 && !nothing_touches(c, surface) ? 1e6 * carrying * scene->nominal_area_m2 : NAN;
     default:
-        return answer(c, surface, QUANTITY_TEMPERATURE) - scene->joint.temperature_K;
+        return known_value(c->results, QUANTITY_TEMPERATURE, surface).value - scene->joint.temperature_K;
     }
 }
 

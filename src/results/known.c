@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "results/known.h"
 
+#include "joint/heating.h"
 #include "results/comparison.h"
 #include <math.h>
 
@@ -31,6 +32,24 @@ static double passing(const struct measured *measured, const double *column, con
     return count > 0 ? exp(sum / (double)count) : NAN;
 }
 
+/** Does a voltage or temperature follow from the surface's measured resistance at the current? */
+static bool follows(struct known *out, const struct results *results, enum quantity quantity, size_t surface)
+{
+    const struct measured *measured = results_measured(results, surface);
+    const struct joint *joint = &results->scene->joint;
+    if ((quantity != QUANTITY_VOLTAGE && quantity != QUANTITY_TEMPERATURE) || !measured || measured->thermal)
+        return false;
+    *out = known_value(results, results_measured_quantity(results), surface);
+    double *const numbers[] = {&out->value, &out->low, &out->high};
+    for (size_t k = 0; k < sizeof numbers / sizeof *numbers; k++) {
+        const double voltage_V = joint->current_A * *numbers[k] / results->scene->nominal_area_m2;
+        *numbers[k] = quantity == QUANTITY_VOLTAGE
+                          ? voltage_V
+                          : joint->temperature_K + heating_rise(voltage_V, joint->temperature_K);
+    }
+    return out->measured;
+}
+
 struct known known_value(const struct results *results, enum quantity quantity, size_t surface)
 {
     const size_t leading = plan_leading_model(results->plan);
@@ -43,6 +62,9 @@ struct known known_value(const struct results *results, enum quantity quantity, 
                         estimate_end(estimate, 1),
                         .measured = carried != 1,
                         .overloaded = carried == 1 && comparison_overloaded(results, leading, surface)};
+    struct known heated;
+    if (follows(&heated, results, quantity, surface))
+        return heated;
     for (int side = 0; side < 2 && !out.measured; side++)
         if (estimate->bound[side] > 0 && (side ? model > estimate->bound[1] : model < estimate->bound[0]))
             return (struct known){.kind = side ? KNOWN_AT_MOST : KNOWN_MORE_THAN,
@@ -85,15 +107,19 @@ struct known known_load(const struct results *results, const struct scene_asked 
     const struct surface_record *record = &results->surfaces[surface];
     const size_t t = (size_t)(target - results->scene->targets), leading = plan_leading_model(results->plan);
     const struct answer *answer = &record->summary.answers[t * model_count + leading];
-    const bool carried = known_carried(results, target->quantity, surface) != 1;
+    const bool heats = target->quantity == QUANTITY_TEMPERATURE,
+               carried = known_value(results, target->quantity, surface).measured;
     struct known out = {kinds[answer->kind], answer->load, answer->low,
                         answer->high,        carried,      .overloaded = !carried && answer->above_hardness};
     if (answer->kind == ANSWER_LOAD && answer->full)
         out.kind = KNOWN_AT_MOST;
     if (carried) {
         const struct measured *measured = results_measured(results, surface);
-        const double load =
-            passing(measured, measured->resistance, measured->load, measured_as(target->quantity, target->value));
+        const struct joint *joint = &results->scene->joint;
+        const double resistance = heats ? heating_voltage(target->value, joint->temperature_K) / joint->current_A *
+                                              results->scene->nominal_area_m2
+                                        : measured_as(target->quantity, target->value);
+        const double load = passing(measured, measured->resistance, measured->load, resistance);
         out.low = out.high = NAN;
         if (load > 0) {
             out.kind = KNOWN_VALUE;

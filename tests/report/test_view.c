@@ -582,7 +582,7 @@ TEST_OF_PLAIN(a_target_that_was_measured_is_answered_by_that)
                                          .resistance = value,
                                          .error = error};
     set_target();
-    assert_says_page("the numbers above are the model's", "Your test:** 0.1");
+    assert_says_page("the answer above is the model's", "Your test:** 0.1");
     made.scene.measured.carry = true;
     assert_says_page("**Your test:** 0.1\u00a0mΩ at 3.16\u00a0N. *beta* conducts ", "the model's");
     report_says("| beta | 3.16 measured |");
