@@ -103,7 +103,7 @@ TEST_IN_WORKSPACE(captions_say_what_is_drawn)
     expect_in_file(place, "tin/report.md", "Figures 6\\-01 to 6-04. ", "Figures 6\\-05 to 6-09. ",
                    "Figures 6\\-11 to 6-14. ", "dashed outside", "dotted: TCR scale-dependent",
                    "statistical gaps adjusted (dot-dash: not)", "up to 99 % contact",
-                   "TCR versus load, up to 99 % contact; dotted: scale-dependent.");
+                   "TCR versus load, up to 99 % contact; dotted: scale-dependent; dashed outside");
     /* no model leaves the axis of its ratio to the direct solution */
     struct table ratios = workspace_table(place, "tin/data/direct_ratio.csv");
     char *script = file_of(place, "tin", "direct", "gp"), *high;
