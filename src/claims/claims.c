@@ -294,21 +294,29 @@ static bool few_spots(struct claims *c)
     return put_names(c, &spots.on);
 }
 
-/** Does the voltage over a spot soften the softer metal, or melt it? */
+/** Does the voltage over a spot soften a metal there, or melt it: the softer body, or the plating? */
 static bool heated(struct claims *c)
 {
     const struct joint *joint = &c->results->scene->joint;
-    const struct material *metal = scene_softer(&summary_of(c, c->i)->scene->bodies);
-    const struct heating_metal *stands = heating_metal_find(metal->name);
+    const char *plating = joint_plating_names[joint->plating], *word = strrchr(plating, ' '); /* of "hard gold" */
+    const char *const metals[] = {scene_softer(&summary_of(c, c->i)->scene->bodies)->name, word ? word + 1 : plating};
     const double voltage_V = known_value(c->results, QUANTITY_VOLTAGE, c->i).value;
-    if (!stands)
-        return false;
-    const double melting_V = heating_voltage(stands->melting_K, joint->temperature_K);
-    const double limit_V = c->row->melts ? melting_V : stands->softening_voltage_V;
+    const char *softest = "";
+    double melting_V = INFINITY, limit_V = INFINITY;
+    for (size_t k = 0; k < sizeof metals / sizeof *metals; k++) {
+        const struct heating_metal *metal = heating_metal_find(metals[k]);
+        const double melts_V = metal ? heating_voltage(metal->melting_K, joint->temperature_K) : INFINITY,
+                     own_V = metal && !c->row->melts ? metal->softening_voltage_V : melts_V;
+        melting_V = fmin(melting_V, melts_V);
+        if (own_V < limit_V) {
+            limit_V = own_V;
+            softest = metals[k];
+        }
+    }
     put(c, "voltage", voltage_V);
     put(c, "limit", limit_V);
     put(c, "current", joint->current_A);
-    put_text(c, "metal", metal->name);
+    put_text(c, "metal", softest);
     return voltage_V >= limit_V && (c->row->melts || voltage_V < melting_V);
 }
 
