@@ -129,7 +129,8 @@ static void check_sanity(struct profile *profile, double digit_m, const struct p
         profile_note(profile, "the ends of the record differ by %.3g um, %.1f Rq: as a period it has a step there",
                      jump_m * 1e6, jump_m / rq_m);
     if (profile->points < SANITY_POINTS)
-        profile_note(profile, "only %zu points; the spectrum has %zu harmonics", profile->points, profile->points / 2);
+        profile_note(profile, "only %zu points%s", profile->points,
+                     profile->points < PROFILE_SPECTRUM_POINTS ? "; a report needs 11" : ": the spectrum is coarse");
 }
 
 const struct profile_options profile_defaults = {.level = LEVEL_LINE, .max_missing = 0.1, .periodic_mean = true};
@@ -200,8 +201,9 @@ static enum status_code close_gaps(struct profile *profile, size_t *first, const
     return STATUS_OK;
 }
 
-/** Whether the positions are uniform, rounded or uneven. Rounded: few different steps, and no point is off its place by
- * more than the last digit. */
+/** Whether the positions are uniform, rounded or uneven. Rounded: few different steps, the longest at most twice the
+ * shortest, and no point is off its place by more than the last digit. Where nearly all steps are the shortest, the
+ * longer ones are rows that are missing. */
 static enum profile_spacing judge_spacing(const double *x_m, size_t points, double spacing_m)
 {
     double shortest = INFINITY, longest = 0, deviation = 0, kinds[SPACING_KINDS];
@@ -219,7 +221,8 @@ static enum profile_spacing judge_spacing(const double *x_m, size_t points, doub
     }
     if (longest - shortest <= spacing_uniform * spacing_m)
         return PROFILE_UNIFORM;
-    bool rounded = kind_count < SPACING_KINDS && deviation <= 1.05 * (longest - shortest);
+    bool gaps = longest > 2.05 * shortest || (longest > 1.95 * shortest && spacing_m < 1.05 * shortest);
+    bool rounded = kind_count < SPACING_KINDS && deviation <= 1.05 * (longest - shortest) && !gaps;
     return rounded ? PROFILE_ROUNDED : PROFILE_RESAMPLED;
 }
 

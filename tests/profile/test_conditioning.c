@@ -189,7 +189,7 @@ TEST_CASE(test_ends_and_few_points)
         z[i] = 1e-8 * sin((double)i) + (i == POINTS - 1 ? 1e-6 : 0);
     expect_note(condition(1e-6, profile_defaults), "the ends of the record differ by 0.99", true);
     struct scan scan = scan_on(NULL, z, 63, 1e-6);
-    expect_note(profile_good(&scan, &profile_defaults), "only 63 points; the spectrum has 31 harmonics", true);
+    expect_note(profile_good(&scan, &profile_defaults), "only 63 points: the spectrum is coarse", true);
     scan.nx = 64;
     expect_note(profile_good(&scan, &profile_defaults), "points;", false);
 }

@@ -315,7 +315,7 @@ TEST_CASE(test_missing_units)
     refuse_with(text, &no_units, "add `x_unit: mm` and `z_unit: um`");
     refuse_with(text, &no_units, "--x-unit mm --z-unit um");
     struct scan_options x_only = {.x_unit = "mm", .z_unit = ""}, z_only = {.z_unit = "um"},
-                        wrong = {.x_unit = "mm", .z_unit = "volt"};
+                        both_units = {.x_unit = "mm", .z_unit = "um"}, wrong = {.x_unit = "mm", .z_unit = "volt"};
     refuse_with(text, &x_only, "no unit for z; add `z_unit: um`");
     refuse_with(text, &z_only, "no unit for x; add `x_unit: mm`");
     refuse_with(text, &wrong, "is no unit of length; give z_unit");
@@ -334,6 +334,8 @@ TEST_CASE(test_missing_units)
     };
     for (size_t i = 0; i < sizeof titles / sizeof *titles; i++)
         refuse_with(filled("%s\n%s", titles[i].title, text), &no_units, titles[i].refused);
+    for (size_t i = 0; i < 2; i++) /* a force is no position, whatever the scene says */
+        refuse_with(filled("%s\n%s", titles[i].title, text), &both_units, titles[i].refused);
     struct scan scan = read_with("x [km],z [um]\n0,1\n1,2\n2,3\n", &x_only); /* the scene's counts */
     assert_string_equal(scan.x_unit, "mm");
     scan_free(&scan);
