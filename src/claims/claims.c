@@ -238,8 +238,8 @@ static bool refused(struct claims *c)
     struct named on = {0};
     for (size_t i = 0; i < c->results->surface_count; i++) {
         const struct surface_summary *s = summary_of(c, i);
-        const size_t own = s->scene->files.count + s->scene->along.count, out = s->usable ? s->refused_scans : own;
-        all += own;
+        const size_t named = s->scene->files.count + s->scene->along.count, out = s->usable ? s->refused_scans : named;
+        all += s->usable ? s->all_scans : named;
         files += out;
         if (out > 0)
             add_name(&on, i);
@@ -593,11 +593,12 @@ static bool not_flat_assumed(struct claims *c)
 }
 
 /** Longest waves in a surface's scans where they are too few; else NaN. */
+/** How few of the longest waves fit into a scan: the number, negative; NaN: enough. */
 static double few_waves(const struct claims *c, size_t surface)
 {
     return !model_rows[c->leading]->uses_map && accuracy_few_waves_sd(c->results, surface) > 0 &&
                    !nothing_touches(c, surface)
-               ? summary_of(c, surface)->longest_waves
+               ? -summary_of(c, surface)->longest_waves
                : NAN;
 }
 
@@ -619,11 +620,12 @@ static bool one_direction(struct claims *c)
 
 static bool short_scans(struct claims *c)
 {
-    const double waves = extent_of(c, few_waves, INFINITY).least;
-    c->weight = model_factor(model_few_waves_sd(waves));
-    put(c, "waves", waves);
+    const struct extent waves = extent_of(c, few_waves, INFINITY);
+    c->weight = model_factor(model_few_waves_sd(-waves.most));
+    put(c, "waves", -waves.most);
     put(c, "factor", c->weight);
-    return waves < INFINITY && c->weight >= 1.1;
+    put_surface(c, waves.at_most);
+    return c->weight >= 1.1;
 }
 
 /* ---- What stands beside the answer ---- */

@@ -16,6 +16,10 @@ static enum status_code look_at_low_pass(struct inspection *out, struct status *
     struct direct_map_def map = {.nx = scan.nx, .ny = scan.ny, .dx_m = scan.dx_m, .dy_m = scan.dy_m};
     struct areal_parameters left;
     const size_t size = scan.nx * scan.ny * sizeof *scan.z_m;
+    if (scan.nx < PROFILE_SPECTRUM_POINTS) {
+        scan_warn(&out->scan, "only %zu points in a row; a report needs %d", scan.nx, PROFILE_SPECTRUM_POINTS);
+        return STATUS_OK;
+    }
     if (!(scan.z_m = malloc(size)))
         return status_memory(status);
     memcpy(scan.z_m, out->scan.z_m, size);
@@ -36,6 +40,7 @@ static enum status_code look_at_map(struct inspection *out, struct status *statu
         return status->code;
     out->roughness = out->areal.rows;
     out->spacing_m = out->scan.dx_m;
+    out->points = out->scan.nx * out->scan.ny;
     out->length_m = (double)(out->scan.nx - 1) * out->scan.dx_m;
     if (out->areal.spectrum_rows < out->scan.ny)
         scan_warn(&out->scan,
@@ -102,6 +107,7 @@ static enum status_code look_at_profile(struct inspection *out, struct status *s
                          ? roughness_of_points(profile->measured_x_m, profile->measured_z_m, profile->points)
                          : roughness_of_heights(profile->height_m, profile->points, profile->spacing_m);
     out->spacing_m = profile->spacing_m;
+    out->points = profile->points;
     out->length_m = (double)(profile->points - 1) * profile->spacing_m;
     enum status_code code = compute_parameters(out, status);
     scan_free_points(&out->scan);
@@ -147,7 +153,8 @@ static void add_parameters(json_t *object, const struct parameters *parameters)
 }
 
 #define FIELD(...) RECORD_FIELD(struct inspection, __VA_ARGS__)
-static const struct record_field fields[] = {FIELD(NUMBER, "spacing_m", spacing_m, JSON),
+static const struct record_field fields[] = {FIELD(COUNT, "points", points, JSON),
+                                             FIELD(NUMBER, "spacing_m", spacing_m, JSON),
                                              FIELD(NUMBER, "length_m", length_m, JSON),
                                              FIELD(CHARACTERS, "x_unit", scan.x_unit, JSON),
                                              FIELD(CHARACTERS, "z_unit", scan.z_unit, JSON),
@@ -181,9 +188,8 @@ json_t *inspection_json(const char *path, const struct inspection *inspection)
         json_array_append_new(warnings, json_shown(scan->warnings[w]));
     for (size_t n = 0; n < inspection->profile.note_count; n++)
         json_array_append_new(warnings, json_shown(inspection->profile.notes[n]));
-    json_t *json =
-        json_pack("{s:o, s:s, s:s, s:I}", "file", json_shown(path), "format", scan->format, "kind",
-                  scan->kind == SCAN_AREAL ? "areal" : "profile", "points", (json_int_t)(scan->nx * scan->ny));
+    json_t *json = json_pack("{s:o, s:s, s:s}", "file", json_shown(path), "format", scan->format, "kind",
+                             scan->kind == SCAN_AREAL ? "areal" : "profile");
     json_object_update_new(json, record_json(fields, inspection));
     json_object_set_new(json, "warnings", warnings);
     if (scan->kind == SCAN_AREAL)

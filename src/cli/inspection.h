@@ -17,6 +17,7 @@ struct inspection {
     struct areal areal;
     struct roughness roughness;
     struct power_law power_law;          /* of the band found */
+    size_t points;                       /* that the numbers are of: without ends that were left out */
     double spacing_m, length_m;          /* along x; from first to last point */
     struct parameters primary, filtered; /* P; R where lambda_c is given */
     bool has_parameters, has_filtered;

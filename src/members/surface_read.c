@@ -208,6 +208,7 @@ static void tell(struct surface_summary *summary, const struct surface_summary *
     summary->scene = of->scene;
     summary->pair = of->pair;
     summary->notes = of->notes;
+    summary->all_scans = of->all_scans;
     summary->refused_scans = of->refused_scans;
     summary->copies = of->copies;
     summary->copy_file = of->copy_file;
