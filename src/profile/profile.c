@@ -193,11 +193,10 @@ static enum status_code close_gaps(struct profile *profile, size_t *first, const
         last = i;
     }
     if (trimmed > 0)
-        profile_note(profile, "%zu missing points at the ends were cut off", trimmed);
+        profile_note(profile, "missing points cut off at the ends: %zu", trimmed);
     if (bridged > 0)
-        profile_note(profile,
-                     "%zu missing points in %zu gap%s were bridged by straight lines, the longest over %zu point%s",
-                     bridged, gaps, gaps == 1 ? "" : "s", widest, widest == 1 ? "" : "s");
+        profile_note(profile, "missing points bridged by straight lines: %zu; gaps: %zu; points in the longest: %zu",
+                     bridged, gaps, widest);
     return STATUS_OK;
 }
 

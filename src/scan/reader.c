@@ -252,10 +252,10 @@ enum status_code scan_take_text(struct scan *out, struct string_view text, doubl
 bool scan_is_binary(const struct scan_file *file)
 {
     enum { LOOKED_AT = 4096 };
-    size_t length = file->length < LOOKED_AT ? file->length : LOOKED_AT;
-    while (length == file->length && length > 0 && (file->bytes[length - 1] == '\0' || file->bytes[length - 1] == 0x1a))
+    size_t length = file->length;
+    while (length > 0 && (file->bytes[length - 1] == '\0' || file->bytes[length - 1] == 0x1a))
         length--; /* some programs end a text with these */
-    for (size_t i = 0; i < length; i++) {
+    for (size_t i = 0; i < length && i < LOOKED_AT; i++) {
         unsigned char c = (unsigned char)file->bytes[i];
         if (c == '\0' || (c < 0x20 && !strchr("\t\n\v\f\r\x1a\x02\x03\x04", c)))
             return true;

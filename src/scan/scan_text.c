@@ -458,7 +458,7 @@ static void mark_missing(struct scan *out)
         if (found < (mark > 0 || mark < -1e6 * z_m ? 2 : 1) || near > 0)
             continue;
         take_out(out, mark);
-        scan_warn(out, "a height of %g %s stands for a missing point, %zu times", sentinels[k], out->z_unit, found);
+        scan_warn(out, "a height of %g %s stands for missing points: %zu", sentinels[k], out->z_unit, found);
     }
     mark_gap(out, true);
     mark_gap(out, false);

@@ -25,7 +25,7 @@ TEST_CASE(test_files)
         enum format_kind kind;
     } files[] = {
         {"a", BYTES("\1\0Directory\0\0\0\0"), "Wyko OPD file", FORMAT_FOREIGN},
-        {"a.PLU", BYTES("Mon Jan 01 2001\0\0\0"), "Sensofar PLU file", FORMAT_FOREIGN},
+        {"a.PLU", BYTES("Mon Jan 01 2001\0\0\0\1"), "Sensofar PLU file", FORMAT_FOREIGN},
         {"a.plu", BYTES("1 2\n3 4\n"), "text", FORMAT_SCAN}, /* text of that name */
         {"a.dat", BYTES("\x88\x1b\x03\x6f\0\1\0\0"), "Zygo MetroPro file", FORMAT_FOREIGN},
         {"a.dat", BYTES("\x88\x1b\x04\x6f\0\1\0\0"), NULL, FORMAT_UNKNOWN},

@@ -343,6 +343,11 @@ TEST_CASE(test_missing_units)
 
 TEST_CASE(test_binary)
 {
+    static const char ended[] = "x [mm];z [um]\n0;1\n1;2\n2;1\n\x1a\0";
+    struct scan scan = {0};
+    expect_ok(read_bytes, &scan, ended, sizeof ended, &no_units); /* with the NUL that ends it in C, two */
+    assert_int_equal(scan.nx, 3);
+    scan_free(&scan);
     static const char png[] = "\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\x20";
     assert_refused_bytes(png, sizeof png - 1, &no_units, "it is no scan: PNG picture");
     char noise[4096];
@@ -410,7 +415,7 @@ TEST_CASE(test_missing)
     }
     expect_scan("spacing 0.5 um, heights in um\nz unit: um\n1\n2\n***\nBAD\n3\n", 5, 2, NULL);
     expect_scan("x_unit: mm\nz_unit: um\n0 5\n1 -25400\n2 6\n3 5\n", 4, 1,
-                "a height of -25400 um stands for a missing point, 1 times");
+                "a height of -25400 um stands for missing points: 1");
     expect_scan("x_unit: mm\nz_unit: nm\n0 5\n1 -25400\n2 -20000\n3 5\n", 4, 0, NULL); /* others are as large */
 }
 
