@@ -213,6 +213,8 @@ static void tell(struct surface_summary *summary, const struct surface_summary *
     summary->copies = of->copies;
     summary->copy_file = of->copy_file;
     summary->copy_of = of->copy_of;
+    memcpy(summary->format, of->format, sizeof summary->format);
+    memcpy(summary->units, of->units, sizeof summary->units);
 }
 
 /** Of scans in two directions the steeper ones are taken to run across the lay, whatever the scene calls them, so that

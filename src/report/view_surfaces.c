@@ -184,11 +184,13 @@ static void put_notes(json_t *out, const struct view_source *source)
 static void put_files(json_t *row, const struct surface_summary *s)
 {
     json_t *files = view_list(row, "files");
-    for (size_t f = 0; f < s->scene->files.count && f < 5; f++)
-        view_text(view_item(files), "file", s->scene->files.path[f]);
+    const struct scene_files *across = &s->scene->files, *along = &s->scene->along;
+    const size_t all = across->count + along->count;
+    for (size_t f = 0; f < all && f < 5; f++)
+        view_text(view_item(files), "file", f < across->count ? across->path[f] : along->path[f - across->count]);
     view_separate(files);
-    if (s->scene->files.count > 5)
-        json_set_count(row, "more_files", s->scene->files.count - 5);
+    if (all > 5)
+        json_set_count(row, "more_files", all - 5);
 }
 
 void view_inputs(json_t *out, const struct view_source *source)
