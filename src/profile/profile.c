@@ -83,12 +83,13 @@ static void check_curvature(struct profile *profile, double digit_m, const struc
     double tip_m = options->tip_radius_m, digit_m4 = digit_m / h / h * (digit_m / h / h) / 2;
     if (options->lambda_s_m > 2 * h) /* the filter takes out what follows */
         return;
-    if (digit_m4 > sanity_digit_share * m4)
+    const double share = fmin(1, digit_m4 / m4); /* rounding is far smaller at twice the spacing, a sine is not */
+    if (share > sanity_digit_share && coarse < (1 - share / 2) * m4)
         profile_note(
             profile,
             "heights come in steps of %.3g nm, whose rounding alone makes %.0f %% of m4: the statistical models "
             "follow the digitiser; give lambda_s",
-            digit_m * 1e9, fmin(100, 100 * digit_m4 / m4));
+            digit_m * 1e9, 100 * share);
     else if (coarse > 0 && m4 > sanity_noise_ratio * coarse)
         profile_note(
             profile,

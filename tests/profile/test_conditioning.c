@@ -126,6 +126,9 @@ TEST_CASE(test_digitising)
     for (size_t i = 0; i < POINTS; i++)
         z[i] = round(z[i] / 1e-9) * 1e-9; /* seen, but it makes 1 % of m4 */
     expect_note(condition(1e-6, profile_defaults), "steps of", false);
+    for (size_t i = 0; i < POINTS; i++)
+        z[i] = 5e-7 * sin(2 * M_PI * (double)i / 200); /* its slopes at the crests are multiples of one */
+    expect_note(condition(2.5e-7, profile_defaults), "steps of", false);
     uint64_t seed = 3;
     for (size_t i = 0; i < POINTS; i++)
         z[i] = 1e-6 * noise(&seed);
