@@ -125,6 +125,8 @@ enum status_code inspection_make(struct inspection *out, const struct scan_bytes
     if (code != STATUS_OK)
         return code;
     code = out->scan.kind == SCAN_AREAL ? look_at_map(out, status) : look_at_profile(out, status);
+    const double sdq = out->areal.surface.sdq; /* a map's rows along the lay would have a smaller slope */
+    out->mean_slope = cmy_slope(out->scan.kind == SCAN_AREAL ? sdq * sdq / 2 : out->roughness.m2);
     if (code == STATUS_OK)
         code = fit_law(out, status);
     return code == STATUS_OK ? STATUS_OK : status_prefix(status, "%s", file->path);
@@ -153,20 +155,30 @@ static void add_parameters(json_t *object, const struct parameters *parameters)
 }
 
 #define FIELD(...) RECORD_FIELD(struct inspection, __VA_ARGS__)
-static const struct record_field fields[] = {FIELD(COUNT, "points", points, JSON),
-                                             FIELD(NUMBER, "spacing_m", spacing_m, JSON),
-                                             FIELD(NUMBER, "length_m", length_m, JSON),
-                                             FIELD(CHARACTERS, "x_unit", scan.x_unit, JSON),
-                                             FIELD(CHARACTERS, "z_unit", scan.z_unit, JSON),
-                                             FIELD(COUNT, "missing", scan.missing, JSON),
-                                             FIELD(NUMBER, "rq_m", roughness.rq_m, JSON),
-                                             FIELD(NUMBER, "ra_m", roughness.ra_m, JSON),
-                                             FIELD(NUMBER, "pv_m", roughness.pv_m, JSON),
-                                             FIELD(NUMBER, "m2", roughness.m2, JSON),
-                                             FIELD(NUMBER, "m4_per_m2", roughness.m4_per_m2, JSON),
-                                             FIELD(NUMBER, "alpha_SI", power_law.alpha, JSON),
-                                             FIELD(NUMBER, "gamma", power_law.gamma, JSON),
-                                             {0}};
+static const struct record_field fields[] = {
+    FIELD(COUNT, "points", points, JSON),
+    FIELD(NUMBER, "spacing_m", spacing_m, JSON),
+    FIELD(NUMBER, "length_m", length_m, JSON),
+    FIELD(CHARACTERS, "x_unit", scan.x_unit, JSON),
+    FIELD(CHARACTERS, "z_unit", scan.z_unit, JSON),
+    FIELD(COUNT, "missing", scan.missing, JSON),
+    FIELD(NUMBER, "rq_m", roughness.rq_m, JSON),
+    FIELD(NUMBER, "ra_m", roughness.ra_m, JSON),
+    FIELD(NUMBER, "pv_m", roughness.pv_m, JSON),
+    FIELD(NUMBER, "m2", roughness.m2, JSON),
+    FIELD(NUMBER, "m4_per_m2", roughness.m4_per_m2, JSON),
+    FIELD(NUMBER, "mean_slope", mean_slope, JSON),
+    FIELD(NUMBER, "alpha_SI", power_law.alpha, JSON),
+    FIELD(NUMBER, "gamma", power_law.gamma, JSON),
+    FIELD(NUMBER, "gamma_stderr", power_law.gamma_error, JSON),
+    FIELD(NUMBER, "fit_amplitude_m", power_law.amplitude_m, JSON),
+    FIELD(NUMBER, "fit_amplitude_stderr_decades", power_law.amplitude_error_decades, JSON),
+    FIELD(NUMBER, "fit_wavelength_m", power_law.wavelength_m, JSON),
+    FIELD(NUMBER, "fit_low_m", power_law.band_m[0], JSON),
+    FIELD(NUMBER, "fit_high_m", power_law.band_m[1], JSON),
+    FIELD(NUMBER, "fit_misfit_decades", power_law.misfit_decades, JSON),
+    FIELD(NUMBER, "fit_psd_m3", power_law.psd_m3, JSON),
+    {0}};
 static const struct record_field map_fields[] = {FIELD(COUNT, "nx", scan.nx, JSON),
                                                  FIELD(COUNT, "ny", scan.ny, JSON),
                                                  FIELD(NUMBER, "dx_m", scan.dx_m, JSON),
@@ -192,10 +204,14 @@ json_t *inspection_json(const char *path, const struct inspection *inspection)
                              scan->kind == SCAN_AREAL ? "areal" : "profile");
     json_object_update_new(json, record_json(fields, inspection));
     json_object_set_new(json, "warnings", warnings);
+    json_object_set_new(json, "fit", json_string(power_law_band_class_names[inspection->power_law.found]));
     if (scan->kind == SCAN_AREAL)
         json_object_update_new(json, record_json(map_fields, inspection));
     if (!inspection->has_parameters)
         return json;
+    static const char *const grids[] = {"uniform", "rounded x", "uneven x, interpolated"};
+    json_object_set_new(json, "positions", json_string(grids[inspection->profile.grid]));
+    json_object_set_new(json, "periodic", json_boolean(inspection->profile.periodic));
     json_t *parameters = json_object();
     json_set(parameters, "lambda_s_m", options->lambda_s_m > 0 ? options->lambda_s_m : NAN);
     json_set(parameters, "lambda_c_m", options->lambda_c_m > 0 ? options->lambda_c_m : NAN);
@@ -226,56 +242,24 @@ static void show_parameters(json_t *list, const struct parameters *parameters)
     }
     json_t *item = json_pack("{s:s, s:o, s:I, s:b}", "letter", letter, "values", values, "lengths",
                              (json_int_t)parameters->sampling_lengths, "one", parameters->sampling_lengths == 1);
-    show(item, "evaluation_mm", parameters->evaluation_length_m * 1e3, 6);
+    json_set(item, "evaluation_m", parameters->evaluation_length_m);
     if (parameters->first_m > 0)
-        show(item, "first_mm", parameters->first_m * 1e3, 6);
+        json_set(item, "first_m", parameters->first_m);
     json_array_append_new(list, item);
-}
-
-/** Adds the record's lengths in um, too. */
-static void show_lengths(json_t *view)
-{
-    json_t *lengths = json_object(), *value;
-    char name[40];
-    const char *key;
-    json_object_foreach(view, key, value)
-    {
-        size_t stem = strlen(key) - strlen("_m");
-        snprintf(name, sizeof name, "%.*s_um", (int)stem, key);
-        if (json_is_real(value) && strcmp(key + stem, "_m") == 0)
-            show(lengths, name, json_real_value(value) * 1e6, 6);
-    }
-    json_object_update_new(view, lengths);
 }
 
 json_t *inspection_view(const char *path, const struct inspection *f)
 {
-    static const char *const grids[] = {"uniform", "rounded", "uneven"};
     const struct power_law *law = &f->power_law;
     json_t *view = inspection_json(path, f), *parameters = json_array();
     char gamma[64];
-    show_lengths(view);
-    show(view, "length_mm", f->length_m * 1e3, 6);
-    show(view, "m2", f->roughness.m2, 6);
-    const double sdq = f->areal.surface.sdq; /* a map's rows along the lay would have a smaller slope */
-    show(view, "slope", cmy_slope(f->scan.kind == SCAN_AREAL ? sdq * sdq / 2 : f->roughness.m2), 6);
-    if (f->scan.kind == SCAN_AREAL) {
+    if (f->scan.kind == SCAN_AREAL)
         show(view, "ssk", round(1e3 * f->areal.surface.ssk) / 1e3 + 0.0, 4); /* no -0 */
-        show(view, "sku", f->areal.surface.sku, 4);
-        show(view, "sdq", sdq, 4);
-    }
     show(view, "m4_per_um2", f->roughness.m4_per_m2 * 1e-12, 6);
-    show(view, "from_um", law->band_m[0] * 1e6, 3);
-    show(view, "to_um", law->band_m[1] * 1e6, 3);
-    show(view, "misfit_decades", law->misfit_decades, 2);
-    show(view, "amplitude_um", law->amplitude_m * 1e6, 4);
     show(view, "amplitude_times", pow(10, law->amplitude_error_decades), 3);
-    show(view, "wavelength_um", law->wavelength_m * 1e6, 3);
-    show(view, "psd_m3", law->psd_m3, 3);
     snprintf(gamma, sizeof gamma, "%.3f +- %.3f", law->gamma, law->gamma_error);
     json_object_update_new(view,
-                           json_pack("{s:b, s:b, s:b, s:b, s:b, s:b, s:s}", "map", f->scan.kind == SCAN_AREAL,
-                                     grids[f->profile.grid], true, "periodic", f->profile.periodic, "no_law",
+                           json_pack("{s:b, s:b, s:b, s:b, s:s}", "map", f->scan.kind == SCAN_AREAL, "no_law",
                                      law->found == POWER_LAW_BAND_NONE, "narrow", law->found == POWER_LAW_BAND_NARROW,
                                      "scattered", law->found == POWER_LAW_BAND_SCATTERED, "gamma", gamma));
     if (f->has_parameters)

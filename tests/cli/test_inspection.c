@@ -276,6 +276,13 @@ TEST_IN_WORKSPACE(test_the_text_of_a_profile)
                      "              rms amplitude 0.001925 um x/: 1.08 at 6.14 um, C 5.56e-22 m3\n"
                      "  note        gaussian high-pass lambda_c = 80 um (ISO 16610-21; its end goes on at its "
                      "beginning)\n");
+    json_t *of = inspect_first(expect_exit(place, 0, "inspect", "--json", "--lambda-c", "80um", "p.csv"));
+    CHECK_FIGURES(of, {0.0128933, "mean_slope", 1, 1e-5}, {1.628, "gamma", 1, 1e-3}, {0.097, "gamma_stderr", 1, 0.01},
+                  {1.925e-9, "fit_amplitude_m", 1, 1e-3}, {2.01e-6, "fit_low_m", 1, 5e-3},
+                  {18.8e-6, "fit_high_m", 1, 5e-3}, {0.03, "fit_misfit_decades", 1, 0.05},
+                  {5.56e-22, "fit_psd_m3", 1, 1e-2});
+    assert_string_equal(json_text_at(of, "fit"), "narrow");
+    assert_string_equal(json_text_at(of, "positions"), "uniform");
 }
 
 TEST_IN_WORKSPACE(test_options)
