@@ -32,7 +32,7 @@ static const struct argp_option options[] = {
     {"column", KEY_COLUMN, "Z|X,Z", 0, "columns by number (default: the first two that can be x and z)", 0},
     {"lambda-s", KEY_LAMBDA_S, "LENGTH", 0, "cut-off of a Gaussian low-pass (default: none; profiles only)", 0},
     {"lambda-c", KEY_LAMBDA_C, "LENGTH", 0,
-     "cut-off of a high-pass: R beside P parameters, of whole sampling lengths but half of one at either end (default: "
+     "cut-off of a high-pass (profiles only): R beside P parameters, of whole sampling lengths but half of one at either end (default: "
      "none)",
      0},
     {0},

@@ -26,7 +26,7 @@ static enum status_code look_at_low_pass(struct inspection *out, struct status *
     if (direct_map_condition(scan.z_m, &map, false, status) == STATUS_OK && map.cutoff > 0 &&
         areal_parameters_of(&left, &scan, status) == STATUS_OK)
         scan_warn(&out->scan,
-                  "a report low-passes it at %.3g um, as more than 2 %% of its slopes are shorter: Sq %.3g → %.3g um, "
+                  "a report low-passes it first, at %.3g um, as more than 2 %% of its slopes are shorter: Sq %.3g → %.3g um, "
                   "slope %.2g → %.2g",
                   map.cutoff * map.dx_m * 1e6, out->areal.surface.sq_m * 1e6, left.sq_m * 1e6, out->areal.surface.sdq,
                   left.sdq);

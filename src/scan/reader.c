@@ -130,7 +130,7 @@ void scan_warn_units(struct scan *out, const struct scan_file *file)
     for (size_t i = 0; i < 2; i++) {
         double used = find_unit(units[i][0]).si;
         if (said(units[i][1]) && used > 0 && find_unit(units[i][1]).si != used)
-            scan_warn(out, "the file%s names its %c unit, %s: the scene's %c_unit is not used",
+            scan_warn(out, "the file%s names its %c unit, %s: the given %c_unit is not used",
                       out->units_beside ? " or its sidecar" : "", "xz"[i], units[i][0], "xz"[i]);
     }
 }
