@@ -25,11 +25,12 @@ static enum status_code look_at_low_pass(struct inspection *out, struct status *
     memcpy(scan.z_m, out->scan.z_m, size);
     if (direct_map_condition(scan.z_m, &map, false, status) == STATUS_OK && map.cutoff > 0 &&
         areal_parameters_of(&left, &scan, status) == STATUS_OK)
-        scan_warn(&out->scan,
-                  "a report low-passes it first, at %.3g um, as more than 2 %% of its slopes are shorter: Sq %.3g → %.3g um, "
-                  "slope %.2g → %.2g",
-                  map.cutoff * map.dx_m * 1e6, out->areal.surface.sq_m * 1e6, left.sq_m * 1e6, out->areal.surface.sdq,
-                  left.sdq);
+        scan_warn(
+            &out->scan,
+            "a report low-passes it first, at %.3g um, as more than 2 %% of its slopes are shorter: Sq %.3g → %.3g um, "
+            "slope %.2g → %.2g",
+            map.cutoff * map.dx_m * 1e6, out->areal.surface.sq_m * 1e6, left.sq_m * 1e6, out->areal.surface.sdq,
+            left.sdq);
     free(scan.z_m);
     return status->code;
 }
@@ -143,7 +144,7 @@ static void add_parameters(json_t *object, const struct parameters *parameters)
 {
     char key[32];
     for (size_t p = 0; p < PARAMETERS_COUNT; p++) {
-        snprintf(key, sizeof key, "%c%s", parameters->letter, parameters_rows[p].name);
+        snprintf(key, sizeof key, "%c%s", parameters->letter, parameters_names[p]);
         json_set(object, key, parameters->value[p]);
     }
     snprintf(key, sizeof key, "%c_evaluation_length_m", parameters->letter);
@@ -230,28 +231,10 @@ static void show(json_t *view, const char *name, double value, int digits)
     json_object_set_new(view, name, json_string(number));
 }
 
-static void show_parameters(json_t *list, const struct parameters *parameters)
-{
-    const char letter[] = {parameters->letter, '\0'};
-    json_t *values = json_array();
-    for (size_t p = 0; p < PARAMETERS_COUNT; p++) {
-        json_t *value = json_pack("{s:s, s:b}", "name", parameters_rows[p].name, "next_line", p > 0 && p % 5 == 0);
-        if (!isnan(parameters->value[p]))
-            show(value, "value", parameters->value[p] * (parameters_rows[p].is_length ? 1e6 : 1), 5);
-        json_array_append_new(values, value);
-    }
-    json_t *item = json_pack("{s:s, s:o, s:I, s:b}", "letter", letter, "values", values, "lengths",
-                             (json_int_t)parameters->sampling_lengths, "one", parameters->sampling_lengths == 1);
-    json_set(item, "evaluation_m", parameters->evaluation_length_m);
-    if (parameters->first_m > 0)
-        json_set(item, "first_m", parameters->first_m);
-    json_array_append_new(list, item);
-}
-
 json_t *inspection_view(const char *path, const struct inspection *f)
 {
     const struct power_law *law = &f->power_law;
-    json_t *view = inspection_json(path, f), *parameters = json_array();
+    json_t *view = inspection_json(path, f);
     char gamma[64];
     if (f->scan.kind == SCAN_AREAL)
         show(view, "ssk", round(1e3 * f->areal.surface.ssk) / 1e3 + 0.0, 4); /* no -0 */
@@ -262,10 +245,5 @@ json_t *inspection_view(const char *path, const struct inspection *f)
                            json_pack("{s:b, s:b, s:b, s:b, s:s}", "map", f->scan.kind == SCAN_AREAL, "no_law",
                                      law->found == POWER_LAW_BAND_NONE, "narrow", law->found == POWER_LAW_BAND_NARROW,
                                      "scattered", law->found == POWER_LAW_BAND_SCATTERED, "gamma", gamma));
-    if (f->has_parameters)
-        show_parameters(parameters, &f->primary);
-    if (f->has_filtered)
-        show_parameters(parameters, &f->filtered);
-    json_object_set_new(view, "parameters", parameters);
     return view;
 }
