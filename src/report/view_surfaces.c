@@ -35,7 +35,6 @@ static void put_surface(json_t *row, const struct view_source *source, size_t su
 {
     const struct surface_summary *s = view_summary(source, surface);
     const struct power_law *law = &s->power_law;
-    const struct repeats *repeats = &s->repeats;
     const double shared_m = results_law_wavelength_m(source->results);
     const double wavelength_m = isfinite(shared_m) ? shared_m : law->wavelength_m;
     json_object_update_new(row, record_json(surface_fields, s));
@@ -43,8 +42,7 @@ static void put_surface(json_t *row, const struct view_source *source, size_t su
     view_cells(view_list(row, "cells"), surface_fields, tables_surface_when(source->results), s);
     view_flag(row, "map", s->has_map);
     json_set_count(row, "scans", s->scans);
-    view_flag(row, "rows_of_a_map", repeats->count > 0 && repeats->scans == 1);
-    view_some(row, "pieces", repeats->cut);
+    view_some(row, "pieces", s->repeats.cut);
     put_constants(row, source, surface);
     view_law(view_part(row, "line"), &s->line);
     if (law->found == POWER_LAW_BAND_NONE)
@@ -125,14 +123,15 @@ void view_surfaces(json_t *out, const struct view_source *source)
     view_columns(view_list(item, "heads"), source->words, surface_fields, tables_surface_when(results));
     view_flag(item, "gaps", plan_quantities(source->results->plan) & QUANTITY_BIT(QUANTITY_JOINT));
     size_t scans = 0, of_maps = 0, periodic = 0, windowed = 0, lawless = 0, last_lawless = 0;
-    bool has_maps = false;
+    bool has_maps = false, has_lay = false;
     for (size_t i = 0; i < results->surface_count; i++) {
         const struct surface_summary *s = view_summary(source, i);
         if (!s->usable)
             continue;
         scans += s->scans;
         has_maps = has_maps || s->has_map;
-        of_maps += s->repeats.count > 0 && s->repeats.scans == 1 ? s->scans : 0;
+        has_lay = has_lay || s->has_lay;
+        of_maps += s->has_map ? s->scans : 0;
         periodic += s->periodic;
         windowed += s->windowed;
         bool law = power_law_holds(&s->power_law);
@@ -163,7 +162,7 @@ void view_surfaces(json_t *out, const struct view_source *source)
     if (results->counterface)
         json_set(item, "counterface_rq_m", results->counterface->summary.roughness.rq_m);
     put_bodies(item, source);
-    view_flag(item, "isotropic", !source->baseline->summary.has_lay);
+    view_flag(item, "isotropic", !has_lay);
 }
 
 /* ---- Inputs ---- */
