@@ -802,7 +802,7 @@ static enum status_code take_table(struct scan *out, struct table *table)
     if (is_matrix(table))
         return take_matrix(out, table);
     if (table->rows < TEXT_POINTS)
-        return scan_fail(table->file, table->last_line, "only %zu points; a scan needs at least %d", table->rows,
+        return scan_fail(table->file, table->last_line, "points: %zu; a scan needs at least %d", table->rows,
                          TEXT_POINTS);
     if (table->columns == 1)
         return take_heights(out, table, 0);

@@ -353,4 +353,11 @@ TEST_IN_WORKSPACE(test_a_directory)
     workspace_write(place, "d/bad.csv", "nothing\n");
     expect_output(expect_exit(place, 1, "inspect", "--json", "d"), "\"file\": \"d/s/b.csv\"",
                   "no line of numbers in it: not a scan");
+    /* by its scene: scans along the lay, the counterface, and as many missing points as a report takes */
+    workspace_write(place, "d/c.csv", "x [um];z [um]\n0;1\n1;2\n2;1.5\n3;\n4;2\n5;1\n");
+    workspace_write(place, "d/scene.yaml",
+                    "material: tin\nmax_missing: 20 %\nsurfaces: [{name: s, file: a.csv, along: s/b.csv}]\n"
+                    "counterface: {surface: c.csv, material: tin}\n");
+    expect_output(expect_exit(place, 0, "inspect", "--json", "d"), "\"file\": \"d/a.csv\"", "\"file\": \"d/s/b.csv\"",
+                  "\"file\": \"d/c.csv\"");
 }

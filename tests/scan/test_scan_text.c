@@ -285,7 +285,7 @@ TEST_CASE(test_refusals)
     assert_refused("", "file: the file is empty");
     assert_refused("\n\n\n", "file: no line of numbers");
     assert_refused("{\n \"LENGTH\": 0.11,\n \"NAME\": null\n}\n", "file: no line of numbers in it: not a scan");
-    assert_refused("0,1\n1,2\n", "file:2: only 2 points");
+    assert_refused("0,1\n1,2\n", "file:2: points: 2");
     assert_refused("x,z\n0,1\n1,nan\n2,3\n", "file: 1 of 3 heights are missing");
     assert_refused("x,z\n0,1\nnan,2\n2,3\n3,4\n", "file:3: no x here; fill it in or remove this line");
     assert_refused("x,z\n0,1\n1,2\n,2\n3,4\n", "file:4: no x here; fill it in or remove this line");
