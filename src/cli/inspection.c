@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/** Warns where a report would low-pass the map, with the effect on Sq and slope. */
+/** Where a report would low-pass the map, what is to paste is that of what is left; warns with the effect. */
 static enum status_code look_at_low_pass(struct inspection *out, struct status *status)
 {
     struct scan scan = out->scan;
@@ -24,13 +24,14 @@ static enum status_code look_at_low_pass(struct inspection *out, struct status *
         return status_memory(status);
     memcpy(scan.z_m, out->scan.z_m, size);
     if (direct_map_condition(scan.z_m, &map, false, status) == STATUS_OK && map.cutoff > 0 &&
-        areal_parameters_of(&left, &scan, status) == STATUS_OK)
-        scan_warn(
-            &out->scan,
-            "a report low-passes it first, at %.3g um, as more than 2 %% of its slopes are shorter: Sq %.3g → %.3g um, "
-            "slope %.2g → %.2g",
-            map.cutoff * map.dx_m * 1e6, out->areal.surface.sq_m * 1e6, left.sq_m * 1e6, out->areal.surface.sdq,
-            left.sdq);
+        areal_parameters_of(&left, &scan, status) == STATUS_OK) {
+        scan_warn(&out->scan,
+                  "a report low-passes it first, at %.3g um, as more than 2 %% of its slopes are shorter: Sq %.3g → "
+                  "%.3g um, slope %.2g → %.2g; the line to paste is of that, all others of the map as measured",
+                  map.cutoff * map.dx_m * 1e6, out->sigma_m * 1e6, left.sq_m * 1e6, out->areal.surface.sdq, left.sdq);
+        out->sigma_m = left.sq_m;
+        out->mean_slope = cmy_slope(left.sdq * left.sdq / 2);
+    }
     free(scan.z_m);
     return status->code;
 }
@@ -39,6 +40,9 @@ static enum status_code look_at_map(struct inspection *out, struct status *statu
 {
     if (areal_compute(&out->areal, &out->scan, status) != STATUS_OK)
         return status->code;
+    const double sdq = out->areal.surface.sdq; /* rows along the lay would have a smaller slope */
+    out->sigma_m = out->areal.surface.sq_m;
+    out->mean_slope = cmy_slope(sdq * sdq / 2);
     out->roughness = out->areal.rows;
     out->spacing_m = out->scan.dx_m;
     out->points = out->scan.nx * out->scan.ny;
@@ -108,6 +112,8 @@ static enum status_code look_at_profile(struct inspection *out, struct status *s
                          ? roughness_of_points(profile->measured_x_m, profile->measured_z_m, profile->points)
                          : roughness_of_heights(profile->height_m, profile->points, profile->spacing_m);
     out->spacing_m = profile->spacing_m;
+    out->sigma_m = out->roughness.rq_m;
+    out->mean_slope = cmy_slope(out->roughness.m2);
     out->points = profile->points;
     out->length_m = (double)(profile->points - 1) * profile->spacing_m;
     enum status_code code = compute_parameters(out, status);
@@ -126,8 +132,6 @@ enum status_code inspection_make(struct inspection *out, const struct scan_bytes
     if (code != STATUS_OK)
         return code;
     code = out->scan.kind == SCAN_AREAL ? look_at_map(out, status) : look_at_profile(out, status);
-    const double sdq = out->areal.surface.sdq; /* a map's rows along the lay would have a smaller slope */
-    out->mean_slope = cmy_slope(out->scan.kind == SCAN_AREAL ? sdq * sdq / 2 : out->roughness.m2);
     if (code == STATUS_OK)
         code = fit_law(out, status);
     return code == STATUS_OK ? STATUS_OK : status_prefix(status, "%s", file->path);
@@ -168,6 +172,7 @@ static const struct record_field fields[] = {
     FIELD(NUMBER, "pv_m", roughness.pv_m, JSON),
     FIELD(NUMBER, "m2", roughness.m2, JSON),
     FIELD(NUMBER, "m4_per_m2", roughness.m4_per_m2, JSON),
+    FIELD(NUMBER, "sigma_m", sigma_m, JSON),
     FIELD(NUMBER, "mean_slope", mean_slope, JSON),
     FIELD(NUMBER, "alpha_SI", power_law.alpha, JSON),
     FIELD(NUMBER, "gamma", power_law.gamma, JSON),

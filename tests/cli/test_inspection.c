@@ -250,7 +250,8 @@ TEST_IN_WORKSPACE(test_what_a_low_pass_takes)
         assert_near(json_number_at(of, "sq_m"), hypot(0.5, 0.1 * noisy) * 1e-6, 1e-6);
         assert_int_equal(strstr(process.out, "Sq 0.51 → 0.476 um, slope 0.2 → 0.13") != NULL, noisy);
         assert_int_equal(strstr(process.out, "low-pass") != NULL, noisy);
-        expect_output(process, noisy ? "m_asp 0.112" : "m_asp 0.079"); /* sqrt(2/pi) Sdq/sqrt 2 */
+        expect_output(process, noisy ? "sigma_asp 0.476" : "sigma_asp 0.5 um, m_asp 0.079"); /* sqrt(2/pi) Sdq/sqrt 2 */
+        assert_near(json_number_at(of, "mean_slope"), (noisy ? 0.13 : 0.1386) / sqrt(M_PI), 0.05); /* what is left */
     }
 }
 
