@@ -130,6 +130,7 @@ static void make_surface(struct made_up *made, size_t index, void (*change)(stru
     struct surface_summary *summary = &record->summary;
     *summary = (struct surface_summary){.scene = &made->names[index],
                                         .usable = index < MADE_UP_USABLE,
+                                        .all_scans = 1,
                                         .pair = {.effective_modulus_Pa = 1e11,
                                                  .yield_strength_Pa = 1e8,
                                                  .hardness_Pa = 2.84e8,

@@ -182,7 +182,7 @@ const struct gas *gas_named(const char *name)
 double parameter_named(const struct parameters *parameters, const char *name)
 {
     for (size_t p = 0; p < PARAMETERS_COUNT; p++)
-        if (strcmp(parameters_rows[p].name, name) == 0)
+        if (strcmp(parameters_names[p], name) == 0)
             return parameters->value[p];
     return NAN;
 }

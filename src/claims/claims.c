@@ -238,8 +238,8 @@ static bool refused(struct claims *c)
     struct named on = {0};
     for (size_t i = 0; i < c->results->surface_count; i++) {
         const struct surface_summary *s = summary_of(c, i);
-        const size_t own = s->scene->files.count + s->scene->along.count, out = s->usable ? s->refused_scans : own;
-        all += own;
+        const size_t named = s->scene->files.count + s->scene->along.count, out = s->usable ? s->refused_scans : named;
+        all += s->usable ? s->all_scans : named;
         files += out;
         if (out > 0)
             add_name(&on, i);

@@ -45,7 +45,8 @@ static void add_lacks(json_t *view, const char *path)
     struct scan scan;
     struct status problem = {0};
     enum status_code code = scan_read(&scan, path, &(struct scan_options){0}, &problem);
-    bool units = code == STATUS_SCAN && scan.units_lacking && !(*scan.x_unit && *scan.z_unit);
+    const bool said = *scan.unknown_unit[0] || *scan.unknown_unit[1]; /* a unit, which is none of length */
+    const bool units = code == STATUS_SCAN && scan.units_lacking && !said && !(*scan.x_unit && *scan.z_unit);
     if (units && !*scan.x_unit)
         json_object_set_new(view, "x_unit", json_string("mm"));
     if (units && !*scan.z_unit)
@@ -122,10 +123,7 @@ static void add_mates(json_t *view, const struct scene *scene)
 static enum status_code make_text(struct text *out, struct scene *scene, const char *templates, struct status *status)
 {
     struct mustache_folder folder = {templates, ".yaml", NULL, status};
-    size_t scans = 0;
-    for (size_t i = 0; i < scene->surface_count; i++)
-        scans += scene->surfaces[i].files.count + scene->surfaces[i].along.count;
-    json_t *view = json_pack("{s:o, s:o, s:[], s:[]}", "scans", json_sprintf("%zu", scans), "passed_over",
+    json_t *view = json_pack("{s:o, s:[], s:[]}", "passed_over",
                              json_lines(scene->passed_over ? scene->passed_over : ""), "surfaces", "left_out");
     enum status_code rc = view ? scene_join_repeats(scene, status) : status_memory(status);
     for (size_t i = 0; i < scene->surface_count && rc == STATUS_OK; i++)

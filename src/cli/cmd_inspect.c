@@ -32,7 +32,8 @@ static const struct argp_option options[] = {
     {"column", KEY_COLUMN, "Z|X,Z", 0, "columns by number (default: the first two that can be x and z)", 0},
     {"lambda-s", KEY_LAMBDA_S, "LENGTH", 0, "cut-off of a Gaussian low-pass (default: none; profiles only)", 0},
     {"lambda-c", KEY_LAMBDA_C, "LENGTH", 0,
-     "cut-off of a high-pass: R beside P parameters, of whole sampling lengths but half of one at either end (default: "
+     "cut-off of a high-pass (profiles only): R beside P parameters, of whole sampling lengths but half of one at "
+     "either end (default: "
      "none)",
      0},
     {0},
@@ -220,14 +221,18 @@ static void inspect_directory(struct outcome *outcome, const struct arguments *a
         code = status_fail(&status, STATUS_SCAN, "no scan in '%s'", path);
     if (code != STATUS_OK)
         refuse(outcome, arguments, path, status.message);
-    for (size_t i = 0; code == STATUS_OK && i < scene.surface_count; i++) {
-        const struct scene_surface *surface = &scene.surfaces[i];
-        for (size_t f = 0; f < surface->files.count; f++) {
-            char *file = scene_file_path(&scene, surface->files.path[f]);
+    struct arguments own = *arguments;
+    own.how.max_missing = scene.max_missing;
+    for (size_t i = 0; code == STATUS_OK && i <= scene.surface_count; i++) {
+        const struct scene_surface *surface = i < scene.surface_count ? &scene.surfaces[i] : &scene.counterface_surface;
+        const size_t across = surface->files.count;
+        for (size_t f = 0; f < across + surface->along.count; f++) {
+            const char *path_of = f < across ? surface->files.path[f] : surface->along.path[f - across];
+            char *file = scene_file_path(&scene, path_of);
             if (file)
-                inspect_file(outcome, arguments, file, options_of(arguments, surface));
+                inspect_file(outcome, &own, file, options_of(arguments, surface));
             else
-                refuse(outcome, arguments, surface->files.path[f], "out of memory");
+                refuse(outcome, arguments, path_of, "out of memory");
             free(file);
         }
     }

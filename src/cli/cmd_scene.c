@@ -353,7 +353,7 @@ int command_plan(int argc, char **argv)
     size_t refused = messages_add(&messages, results, false);
     fputs(text_string(&messages), stderr);
     if (rc == STATUS_OK && refused == scene.surface_count)
-        rc = status_fail(&status, STATUS_SCAN, "no readable scan in '%s'", scene.directory);
+        rc = status_fail(&status, STATUS_SCAN, "no usable surface in '%s'", scene.directory);
     const struct threads threads = {.jobs = arguments.run.jobs};
     double seconds = rc == STATUS_OK ? work_seconds(results, threads_number(&threads, SIZE_MAX)) : 0;
     if (rc == STATUS_OK && !arguments.json)

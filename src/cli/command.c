@@ -19,6 +19,7 @@ void command_complain(const char *what, const char *message)
 {
     struct text line = {0};
     text_add_shown(&line, message);
+    fflush(stdout); /* else it stands in the middle of a line where both go to one file */
     fprintf(stderr, "roughcontact: %s%s\n", what, line.failed ? "out of memory" : text_string(&line));
     text_free(&line);
 }

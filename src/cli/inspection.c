@@ -9,23 +9,29 @@
 #include <stdlib.h>
 #include <string.h>
 
-/** Warns where a report would low-pass the map, with the effect on Sq and slope. */
+/** Where a report would low-pass the map, what is to paste is that of what is left; warns with the effect. */
 static enum status_code look_at_low_pass(struct inspection *out, struct status *status)
 {
     struct scan scan = out->scan;
     struct direct_map_def map = {.nx = scan.nx, .ny = scan.ny, .dx_m = scan.dx_m, .dy_m = scan.dy_m};
     struct areal_parameters left;
     const size_t size = scan.nx * scan.ny * sizeof *scan.z_m;
+    if (scan.nx < PROFILE_SPECTRUM_POINTS) {
+        scan_warn(&out->scan, "only %zu points in a row; a report needs %d", scan.nx, PROFILE_SPECTRUM_POINTS);
+        return STATUS_OK;
+    }
     if (!(scan.z_m = malloc(size)))
         return status_memory(status);
     memcpy(scan.z_m, out->scan.z_m, size);
     if (direct_map_condition(scan.z_m, &map, false, status) == STATUS_OK && map.cutoff > 0 &&
-        areal_parameters_of(&left, &scan, status) == STATUS_OK)
+        areal_parameters_of(&left, &scan, status) == STATUS_OK) {
         scan_warn(&out->scan,
-                  "a report low-passes it at %.3g um, as more than 2 %% of its slopes are shorter: Sq %.3g → %.3g um, "
-                  "slope %.2g → %.2g",
-                  map.cutoff * map.dx_m * 1e6, out->areal.surface.sq_m * 1e6, left.sq_m * 1e6, out->areal.surface.sdq,
-                  left.sdq);
+                  "a report low-passes it first, at %.3g um, as more than 2 %% of its slopes are shorter: Sq %.3g → "
+                  "%.3g um, slope %.2g → %.2g; the line to paste is of that, all others of the map as measured",
+                  map.cutoff * map.dx_m * 1e6, out->sigma_m * 1e6, left.sq_m * 1e6, out->areal.surface.sdq, left.sdq);
+        out->sigma_m = left.sq_m;
+        out->mean_slope = cmy_slope(left.sdq * left.sdq / 2);
+    }
     free(scan.z_m);
     return status->code;
 }
@@ -34,8 +40,12 @@ static enum status_code look_at_map(struct inspection *out, struct status *statu
 {
     if (areal_compute(&out->areal, &out->scan, status) != STATUS_OK)
         return status->code;
+    const double sdq = out->areal.surface.sdq; /* rows along the lay would have a smaller slope */
+    out->sigma_m = out->areal.surface.sq_m;
+    out->mean_slope = cmy_slope(sdq * sdq / 2);
     out->roughness = out->areal.rows;
     out->spacing_m = out->scan.dx_m;
+    out->points = out->scan.nx * out->scan.ny;
     out->length_m = (double)(out->scan.nx - 1) * out->scan.dx_m;
     if (out->areal.spectrum_rows < out->scan.ny)
         scan_warn(&out->scan,
@@ -102,6 +112,9 @@ static enum status_code look_at_profile(struct inspection *out, struct status *s
                          ? roughness_of_points(profile->measured_x_m, profile->measured_z_m, profile->points)
                          : roughness_of_heights(profile->height_m, profile->points, profile->spacing_m);
     out->spacing_m = profile->spacing_m;
+    out->sigma_m = out->roughness.rq_m;
+    out->mean_slope = cmy_slope(out->roughness.m2);
+    out->points = profile->points;
     out->length_m = (double)(profile->points - 1) * profile->spacing_m;
     enum status_code code = compute_parameters(out, status);
     scan_free_points(&out->scan);
@@ -135,7 +148,7 @@ static void add_parameters(json_t *object, const struct parameters *parameters)
 {
     char key[32];
     for (size_t p = 0; p < PARAMETERS_COUNT; p++) {
-        snprintf(key, sizeof key, "%c%s", parameters->letter, parameters_rows[p].name);
+        snprintf(key, sizeof key, "%c%s", parameters->letter, parameters_names[p]);
         json_set(object, key, parameters->value[p]);
     }
     snprintf(key, sizeof key, "%c_evaluation_length_m", parameters->letter);
@@ -147,19 +160,31 @@ static void add_parameters(json_t *object, const struct parameters *parameters)
 }
 
 #define FIELD(...) RECORD_FIELD(struct inspection, __VA_ARGS__)
-static const struct record_field fields[] = {FIELD(NUMBER, "spacing_m", spacing_m, JSON),
-                                             FIELD(NUMBER, "length_m", length_m, JSON),
-                                             FIELD(CHARACTERS, "x_unit", scan.x_unit, JSON),
-                                             FIELD(CHARACTERS, "z_unit", scan.z_unit, JSON),
-                                             FIELD(COUNT, "missing", scan.missing, JSON),
-                                             FIELD(NUMBER, "rq_m", roughness.rq_m, JSON),
-                                             FIELD(NUMBER, "ra_m", roughness.ra_m, JSON),
-                                             FIELD(NUMBER, "pv_m", roughness.pv_m, JSON),
-                                             FIELD(NUMBER, "m2", roughness.m2, JSON),
-                                             FIELD(NUMBER, "m4_per_m2", roughness.m4_per_m2, JSON),
-                                             FIELD(NUMBER, "alpha_SI", power_law.alpha, JSON),
-                                             FIELD(NUMBER, "gamma", power_law.gamma, JSON),
-                                             {0}};
+static const struct record_field fields[] = {
+    FIELD(COUNT, "points", points, JSON),
+    FIELD(NUMBER, "spacing_m", spacing_m, JSON),
+    FIELD(NUMBER, "length_m", length_m, JSON),
+    FIELD(CHARACTERS, "x_unit", scan.x_unit, JSON),
+    FIELD(CHARACTERS, "z_unit", scan.z_unit, JSON),
+    FIELD(COUNT, "missing", scan.missing, JSON),
+    FIELD(NUMBER, "rq_m", roughness.rq_m, JSON),
+    FIELD(NUMBER, "ra_m", roughness.ra_m, JSON),
+    FIELD(NUMBER, "pv_m", roughness.pv_m, JSON),
+    FIELD(NUMBER, "m2", roughness.m2, JSON),
+    FIELD(NUMBER, "m4_per_m2", roughness.m4_per_m2, JSON),
+    FIELD(NUMBER, "sigma_m", sigma_m, JSON),
+    FIELD(NUMBER, "mean_slope", mean_slope, JSON),
+    FIELD(NUMBER, "alpha_SI", power_law.alpha, JSON),
+    FIELD(NUMBER, "gamma", power_law.gamma, JSON),
+    FIELD(NUMBER, "gamma_stderr", power_law.gamma_error, JSON),
+    FIELD(NUMBER, "fit_amplitude_m", power_law.amplitude_m, JSON),
+    FIELD(NUMBER, "fit_amplitude_stderr_decades", power_law.amplitude_error_decades, JSON),
+    FIELD(NUMBER, "fit_wavelength_m", power_law.wavelength_m, JSON),
+    FIELD(NUMBER, "fit_low_m", power_law.band_m[0], JSON),
+    FIELD(NUMBER, "fit_high_m", power_law.band_m[1], JSON),
+    FIELD(NUMBER, "fit_misfit_decades", power_law.misfit_decades, JSON),
+    FIELD(NUMBER, "fit_psd_m3", power_law.psd_m3, JSON),
+    {0}};
 static const struct record_field map_fields[] = {FIELD(COUNT, "nx", scan.nx, JSON),
                                                  FIELD(COUNT, "ny", scan.ny, JSON),
                                                  FIELD(NUMBER, "dx_m", scan.dx_m, JSON),
@@ -181,15 +206,18 @@ json_t *inspection_json(const char *path, const struct inspection *inspection)
         json_array_append_new(warnings, json_shown(scan->warnings[w]));
     for (size_t n = 0; n < inspection->profile.note_count; n++)
         json_array_append_new(warnings, json_shown(inspection->profile.notes[n]));
-    json_t *json =
-        json_pack("{s:o, s:s, s:s, s:I}", "file", json_shown(path), "format", scan->format, "kind",
-                  scan->kind == SCAN_AREAL ? "areal" : "profile", "points", (json_int_t)(scan->nx * scan->ny));
+    json_t *json = json_pack("{s:o, s:s, s:s}", "file", json_shown(path), "format", scan->format, "kind",
+                             scan->kind == SCAN_AREAL ? "areal" : "profile");
     json_object_update_new(json, record_json(fields, inspection));
     json_object_set_new(json, "warnings", warnings);
+    json_object_set_new(json, "fit", json_string(power_law_band_class_names[inspection->power_law.found]));
     if (scan->kind == SCAN_AREAL)
         json_object_update_new(json, record_json(map_fields, inspection));
     if (!inspection->has_parameters)
         return json;
+    static const char *const grids[] = {"uniform", "rounded x", "uneven x, interpolated"};
+    json_object_set_new(json, "positions", json_string(grids[inspection->profile.grid]));
+    json_object_set_new(json, "periodic", json_boolean(inspection->profile.periodic));
     json_t *parameters = json_object();
     json_set(parameters, "lambda_s_m", options->lambda_s_m > 0 ? options->lambda_s_m : NAN);
     json_set(parameters, "lambda_c_m", options->lambda_c_m > 0 ? options->lambda_c_m : NAN);
@@ -208,74 +236,19 @@ static void show(json_t *view, const char *name, double value, int digits)
     json_object_set_new(view, name, json_string(number));
 }
 
-static void show_parameters(json_t *list, const struct parameters *parameters)
-{
-    const char letter[] = {parameters->letter, '\0'};
-    json_t *values = json_array();
-    for (size_t p = 0; p < PARAMETERS_COUNT; p++) {
-        json_t *value = json_pack("{s:s, s:b}", "name", parameters_rows[p].name, "next_line", p > 0 && p % 5 == 0);
-        if (!isnan(parameters->value[p]))
-            show(value, "value", parameters->value[p] * (parameters_rows[p].is_length ? 1e6 : 1), 5);
-        json_array_append_new(values, value);
-    }
-    json_t *item = json_pack("{s:s, s:o, s:I, s:b}", "letter", letter, "values", values, "lengths",
-                             (json_int_t)parameters->sampling_lengths, "one", parameters->sampling_lengths == 1);
-    show(item, "evaluation_mm", parameters->evaluation_length_m * 1e3, 6);
-    if (parameters->first_m > 0)
-        show(item, "first_mm", parameters->first_m * 1e3, 6);
-    json_array_append_new(list, item);
-}
-
-/** Adds the record's lengths in um, too. */
-static void show_lengths(json_t *view)
-{
-    json_t *lengths = json_object(), *value;
-    char name[40];
-    const char *key;
-    json_object_foreach(view, key, value)
-    {
-        size_t stem = strlen(key) - strlen("_m");
-        snprintf(name, sizeof name, "%.*s_um", (int)stem, key);
-        if (json_is_real(value) && strcmp(key + stem, "_m") == 0)
-            show(lengths, name, json_real_value(value) * 1e6, 6);
-    }
-    json_object_update_new(view, lengths);
-}
-
 json_t *inspection_view(const char *path, const struct inspection *f)
 {
-    static const char *const grids[] = {"uniform", "rounded", "uneven"};
     const struct power_law *law = &f->power_law;
-    json_t *view = inspection_json(path, f), *parameters = json_array();
+    json_t *view = inspection_json(path, f);
     char gamma[64];
-    show_lengths(view);
-    show(view, "length_mm", f->length_m * 1e3, 6);
-    show(view, "m2", f->roughness.m2, 6);
-    const double sdq = f->areal.surface.sdq; /* a map's rows along the lay would have a smaller slope */
-    show(view, "slope", cmy_slope(f->scan.kind == SCAN_AREAL ? sdq * sdq / 2 : f->roughness.m2), 6);
-    if (f->scan.kind == SCAN_AREAL) {
+    if (f->scan.kind == SCAN_AREAL)
         show(view, "ssk", round(1e3 * f->areal.surface.ssk) / 1e3 + 0.0, 4); /* no -0 */
-        show(view, "sku", f->areal.surface.sku, 4);
-        show(view, "sdq", sdq, 4);
-    }
     show(view, "m4_per_um2", f->roughness.m4_per_m2 * 1e-12, 6);
-    show(view, "from_um", law->band_m[0] * 1e6, 3);
-    show(view, "to_um", law->band_m[1] * 1e6, 3);
-    show(view, "misfit_decades", law->misfit_decades, 2);
-    show(view, "amplitude_um", law->amplitude_m * 1e6, 4);
     show(view, "amplitude_times", pow(10, law->amplitude_error_decades), 3);
-    show(view, "wavelength_um", law->wavelength_m * 1e6, 3);
-    show(view, "psd_m3", law->psd_m3, 3);
     snprintf(gamma, sizeof gamma, "%.3f +- %.3f", law->gamma, law->gamma_error);
     json_object_update_new(view,
-                           json_pack("{s:b, s:b, s:b, s:b, s:b, s:b, s:s}", "map", f->scan.kind == SCAN_AREAL,
-                                     grids[f->profile.grid], true, "periodic", f->profile.periodic, "no_law",
+                           json_pack("{s:b, s:b, s:b, s:b, s:s}", "map", f->scan.kind == SCAN_AREAL, "no_law",
                                      law->found == POWER_LAW_BAND_NONE, "narrow", law->found == POWER_LAW_BAND_NARROW,
                                      "scattered", law->found == POWER_LAW_BAND_SCATTERED, "gamma", gamma));
-    if (f->has_parameters)
-        show_parameters(parameters, &f->primary);
-    if (f->has_filtered)
-        show_parameters(parameters, &f->filtered);
-    json_object_set_new(view, "parameters", parameters);
     return view;
 }

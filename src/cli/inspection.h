@@ -16,7 +16,9 @@ struct inspection {
     struct profile profile; /* of a map its middle row, for a chart, if it is usable */
     struct areal areal;
     struct roughness roughness;
+    double sigma_m, mean_slope;          /* to paste; of a map as a report would low-pass it */
     struct power_law power_law;          /* of the band found */
+    size_t points;                       /* that the numbers are of: without ends that were left out */
     double spacing_m, length_m;          /* along x; from first to last point */
     struct parameters primary, filtered; /* P; R where lambda_c is given */
     bool has_parameters, has_filtered;

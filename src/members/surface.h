@@ -39,7 +39,8 @@ struct surface_summary {
     double carrying; /* share of the nominal area that carries 90 % of the load, with `shape`; 0: no shape; NaN: not
                         known */
     struct note_list notes;          /* warnings; owned */
-    size_t refused_scans;            /* scans not used, of several; the notes begin with them */
+    size_t all_scans, refused_scans; /* with each of an archive: that are there; not used, of several (the notes begin
+                                        with them) */
     size_t copies;                   /* scans left out because they repeat another */
     const char *copy_file, *copy_of; /* the first of them, and the file that it repeats; the scene's strings */
     char hash[65];                   /* SHA-256 of the first file (of all of them one after another), hexadecimal */

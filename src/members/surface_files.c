@@ -23,6 +23,12 @@ static enum status_code hash_file(struct hash *hash, const char *path, struct st
     return rc;
 }
 
+/** `kept` becomes `own`, or `several` where an earlier scan had another. */
+static void keep_common(char *kept, size_t size, const char *own, const char *several)
+{
+    snprintf(kept, size, "%s", *kept && strcmp(kept, own) != 0 ? several : own);
+}
+
 /** Adds the scan at options->entry, and moves that to the next one. A file beside it that holds its units changes the
  * numbers, so that the hash takes it too. */
 static enum status_code add_scan(const struct surface_scans *task, const struct scan_bytes *bytes, const char *path,
@@ -31,6 +37,7 @@ static enum status_code add_scan(const struct surface_scans *task, const struct 
     struct surface_summary *summary = &task->record->summary;
     struct scan scan = {0};
     double started = clock_seconds();
+    summary->all_scans++;
     enum status_code rc = scan_read_beside(&scan, bytes, path, options, status);
     if (rc == STATUS_OK && scan.sidecar && options->entry == 0)
         rc = hash_file(hash, scan.sidecar, status);
@@ -51,8 +58,10 @@ static enum status_code add_scan(const struct surface_scans *task, const struct 
         task->copies->count -= rc != STATUS_OK; /* a copy of a refused scan is not called a copy */
     }
     if (rc == STATUS_OK && !of) {
-        snprintf(summary->format, sizeof summary->format, "%s", scan.format);
-        snprintf(summary->units, sizeof summary->units, "x %s, z %s", scan.x_unit, scan.z_unit);
+        char units[sizeof summary->units];
+        snprintf(units, sizeof units, "x %s, z %s", scan.x_unit, scan.z_unit);
+        keep_common(summary->format, sizeof summary->format, scan.format, "several formats");
+        keep_common(summary->units, sizeof summary->units, units, "several units");
     }
     options->entry = scan.next_entry;
     scan_free(&scan);
@@ -98,6 +107,7 @@ enum status_code surface_files_read_one(const struct surface_scans *task, const 
     double started = clock_seconds();
     enum status_code rc = text_read_file(&bytes, path, status);
     task->record->summary.times.read += clock_seconds() - started;
+    task->record->summary.all_scans += rc != STATUS_OK;
     if (rc == STATUS_OK) {
         hash_add(hash, bytes.data, bytes.length); /* also of a file that is refused */
         rc = add_scans(task, &bytes, file, path, hash, status);

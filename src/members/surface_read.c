@@ -100,7 +100,7 @@ static void note_description(struct surface_summary *summary, const struct scene
     const struct power_law *law = &summary->power_law;
     struct text lines = {0}, models = {0};
     for (size_t i = 0; i < line_count; i++)
-        text_add(&lines, "\n%s %.3g", i > 0 ? "others" : "first", line_m[i] * 1e6);
+        text_add(&lines, "\n%s %.2g", i > 0 ? "others" : "first", line_m[i] * 1e6);
     for (size_t m = 0; m < model_count && !summary->has_asperities; m++)
         if ((scene->models & MODEL_BIT(m)) && model_rows[m]->asperity_model)
             text_add(&models, "\n%s %s", models.length > 0 ? "others" : "first", model_rows[m]->label);
@@ -208,10 +208,13 @@ static void tell(struct surface_summary *summary, const struct surface_summary *
     summary->scene = of->scene;
     summary->pair = of->pair;
     summary->notes = of->notes;
+    summary->all_scans = of->all_scans;
     summary->refused_scans = of->refused_scans;
     summary->copies = of->copies;
     summary->copy_file = of->copy_file;
     summary->copy_of = of->copy_of;
+    memcpy(summary->format, of->format, sizeof summary->format);
+    memcpy(summary->units, of->units, sizeof summary->units);
 }
 
 /** Of scans in two directions the steeper ones are taken to run across the lay, whatever the scene calls them, so that

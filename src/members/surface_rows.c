@@ -158,10 +158,6 @@ static enum status_code add_profile(const struct surface_scans *task, const stru
     return rc;
 }
 
-/* The first harmonic whose estimate by five sine tapers keeps off the ends of the spectrum is the fifth
- * (docs/equations.md, power_law_band.h); a record has it below its Nyquist frequency from 11 points on. */
-enum { LEAST_POINTS = 11 };
-
 /** Levels and low-passes a map, for its rows and its direct solution alike. */
 static enum status_code condition_map(struct areal_parameters of[2], struct direct_map_def *map, struct scan *scan,
                                       const struct scene *scene, struct status *status)
@@ -215,11 +211,11 @@ static enum status_code take_row(struct profile *out, struct scan *scan, size_t 
     enum status_code rc = profile_make(out, scan, row, how, status);
     if (scan->kind == SCAN_PROFILE)
         scan_free_points(scan);
-    if (rc != STATUS_OK || out->points >= LEAST_POINTS)
+    if (rc != STATUS_OK || out->points >= PROFILE_SPECTRUM_POINTS)
         return rc;
     return status_fail(status, STATUS_SCAN,
                        "%zu points carry no spectrum; at least %d are needed: take a longer scan, or leave it out",
-                       out->points, LEAST_POINTS);
+                       out->points, PROFILE_SPECTRUM_POINTS);
 }
 
 /** Notes on a map whose rows are read, `unusable` of them left out, `run` of them members. */

@@ -83,12 +83,13 @@ static void check_curvature(struct profile *profile, double digit_m, const struc
     double tip_m = options->tip_radius_m, digit_m4 = digit_m / h / h * (digit_m / h / h) / 2;
     if (options->lambda_s_m > 2 * h) /* the filter takes out what follows */
         return;
-    if (digit_m4 > sanity_digit_share * m4)
+    const double share = fmin(1, digit_m4 / m4); /* rounding is far smaller at twice the spacing, a sine is not */
+    if (share > sanity_digit_share && coarse < (1 - share / 2) * m4)
         profile_note(
             profile,
             "heights come in steps of %.3g nm, whose rounding alone makes %.0f %% of m4: the statistical models "
             "follow the digitiser; give lambda_s",
-            digit_m * 1e9, fmin(100, 100 * digit_m4 / m4));
+            digit_m * 1e9, 100 * share);
     else if (coarse > 0 && m4 > sanity_noise_ratio * coarse)
         profile_note(
             profile,
@@ -129,7 +130,8 @@ static void check_sanity(struct profile *profile, double digit_m, const struct p
         profile_note(profile, "the ends of the record differ by %.3g um, %.1f Rq: as a period it has a step there",
                      jump_m * 1e6, jump_m / rq_m);
     if (profile->points < SANITY_POINTS)
-        profile_note(profile, "only %zu points; the spectrum has %zu harmonics", profile->points, profile->points / 2);
+        profile_note(profile, "only %zu points%s", profile->points,
+                     profile->points < PROFILE_SPECTRUM_POINTS ? "; a report needs 11" : ": the spectrum is coarse");
 }
 
 const struct profile_options profile_defaults = {.level = LEVEL_LINE, .max_missing = 0.1, .periodic_mean = true};
@@ -192,16 +194,16 @@ static enum status_code close_gaps(struct profile *profile, size_t *first, const
         last = i;
     }
     if (trimmed > 0)
-        profile_note(profile, "%zu missing points at the ends were cut off", trimmed);
+        profile_note(profile, "missing points cut off at the ends: %zu", trimmed);
     if (bridged > 0)
-        profile_note(profile,
-                     "%zu missing points in %zu gap%s were bridged by straight lines, the longest over %zu point%s",
-                     bridged, gaps, gaps == 1 ? "" : "s", widest, widest == 1 ? "" : "s");
+        profile_note(profile, "missing points bridged by straight lines: %zu; gaps: %zu; points in the longest: %zu",
+                     bridged, gaps, widest);
     return STATUS_OK;
 }
 
-/** Whether the positions are uniform, rounded or uneven. Rounded: few different steps, and no point is off its place by
- * more than the last digit. */
+/** Whether the positions are uniform, rounded or uneven. Rounded: few different steps, the longest at most twice the
+ * shortest, and no point is off its place by more than the last digit. Where nearly all steps are the shortest, the
+ * longer ones are rows that are missing. */
 static enum profile_spacing judge_spacing(const double *x_m, size_t points, double spacing_m)
 {
     double shortest = INFINITY, longest = 0, deviation = 0, kinds[SPACING_KINDS];
@@ -219,7 +221,8 @@ static enum profile_spacing judge_spacing(const double *x_m, size_t points, doub
     }
     if (longest - shortest <= spacing_uniform * spacing_m)
         return PROFILE_UNIFORM;
-    bool rounded = kind_count < SPACING_KINDS && deviation <= 1.05 * (longest - shortest);
+    bool gaps = longest > 2.05 * shortest || (longest > 1.95 * shortest && spacing_m < 1.05 * shortest);
+    bool rounded = kind_count < SPACING_KINDS && deviation <= 1.05 * (longest - shortest) && !gaps;
     return rounded ? PROFILE_ROUNDED : PROFILE_RESAMPLED;
 }
 

@@ -20,6 +20,10 @@ struct profile_options {
     bool periodic_mean;            /* of a periodic record take the mean out: a line would make a step at its ends */
 };
 
+/** Points that a report needs: the first harmonic whose estimate by five sine tapers keeps off the ends of the spectrum
+ * is the fifth (docs/equations.md, power_law_band.h), below the Nyquist frequency of 11 points. */
+enum { PROFILE_SPECTRUM_POINTS = 11 };
+
 struct profile {
     double *height_m; /* `points` heights, spacing_m apart, levelled and filtered */
     size_t points;

@@ -35,7 +35,6 @@ static void put_surface(json_t *row, const struct view_source *source, size_t su
 {
     const struct surface_summary *s = view_summary(source, surface);
     const struct power_law *law = &s->power_law;
-    const struct repeats *repeats = &s->repeats;
     const double shared_m = results_law_wavelength_m(source->results);
     const double wavelength_m = isfinite(shared_m) ? shared_m : law->wavelength_m;
     json_object_update_new(row, record_json(surface_fields, s));
@@ -43,8 +42,7 @@ static void put_surface(json_t *row, const struct view_source *source, size_t su
     view_cells(view_list(row, "cells"), surface_fields, tables_surface_when(source->results), s);
     view_flag(row, "map", s->has_map);
     json_set_count(row, "scans", s->scans);
-    view_flag(row, "rows_of_a_map", repeats->count > 0 && repeats->scans == 1);
-    view_some(row, "pieces", repeats->cut);
+    view_some(row, "pieces", s->repeats.cut);
     put_constants(row, source, surface);
     view_law(view_part(row, "line"), &s->line);
     if (law->found == POWER_LAW_BAND_NONE)
@@ -124,18 +122,18 @@ void view_surfaces(json_t *out, const struct view_source *source)
     json_t *item = view_part(out, "surfaces"), *rows = view_list(item, "rows");
     view_columns(view_list(item, "heads"), source->words, surface_fields, tables_surface_when(results));
     view_flag(item, "gaps", plan_quantities(source->results->plan) & QUANTITY_BIT(QUANTITY_JOINT));
-    size_t scans = 0, of_maps = 0, periodic = 0, windowed = 0, lays = 0, lawless = 0, last_lawless = 0;
-    bool has_maps = false;
+    size_t scans = 0, of_maps = 0, periodic = 0, windowed = 0, lawless = 0, last_lawless = 0;
+    bool has_maps = false, has_lay = false;
     for (size_t i = 0; i < results->surface_count; i++) {
         const struct surface_summary *s = view_summary(source, i);
         if (!s->usable)
             continue;
         scans += s->scans;
         has_maps = has_maps || s->has_map;
-        of_maps += s->repeats.count > 0 && s->repeats.scans == 1 ? s->scans : 0;
+        has_lay = has_lay || s->has_lay;
+        of_maps += s->has_map ? s->scans : 0;
         periodic += s->periodic;
         windowed += s->windowed;
-        lays += s->has_lay;
         bool law = power_law_holds(&s->power_law);
         lawless += !law;
         last_lawless = law ? last_lawless : i;
@@ -164,7 +162,7 @@ void view_surfaces(json_t *out, const struct view_source *source)
     if (results->counterface)
         json_set(item, "counterface_rq_m", results->counterface->summary.roughness.rq_m);
     put_bodies(item, source);
-    view_flag(item, "isotropic", lays == 0);
+    view_flag(item, "isotropic", !has_lay);
 }
 
 /* ---- Inputs ---- */
@@ -185,11 +183,13 @@ static void put_notes(json_t *out, const struct view_source *source)
 static void put_files(json_t *row, const struct surface_summary *s)
 {
     json_t *files = view_list(row, "files");
-    for (size_t f = 0; f < s->scene->files.count && f < 5; f++)
-        view_text(view_item(files), "file", s->scene->files.path[f]);
+    const struct scene_files *across = &s->scene->files, *along = &s->scene->along;
+    const size_t all = across->count + along->count;
+    for (size_t f = 0; f < all && f < 5; f++)
+        view_text(view_item(files), "file", f < across->count ? across->path[f] : along->path[f - across->count]);
     view_separate(files);
-    if (s->scene->files.count > 5)
-        json_set_count(row, "more_files", s->scene->files.count - 5);
+    if (all > 5)
+        json_set_count(row, "more_files", all - 5);
 }
 
 void view_inputs(json_t *out, const struct view_source *source)

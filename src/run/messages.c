@@ -55,11 +55,10 @@ static void say(struct text *messages, const char *surface, const char *what, co
 static void say_note(struct text *messages, const struct kind *kind, struct words *words)
 {
     struct text line = {0};
-    char count[40] = "";
     note_line(&line, words, kind->note);
-    if (kind->surfaces > 1)
-        snprintf(count, sizeof count, " and %zu more", kind->surfaces - 1);
-    say(messages, kind->first, count, text_string(&line));
+    if (kind->surfaces > 1) /* whose numbers may be others */
+        text_add(&line, " (and such a note on %zu more)", kind->surfaces - 1);
+    say(messages, kind->first, "", text_string(&line));
     text_free(&line);
 }
 

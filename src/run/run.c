@@ -204,7 +204,7 @@ static enum status_code evaluate(struct run *run, struct run_outcome *out, struc
     if (all_surfaces_run(&run->prepared, run->scene, run->options, false, curves, status) != STATUS_OK)
         return status->code;
     if (results->usable_count == 0)
-        return status_fail(status, STATUS_SCAN, "no readable scan in '%s'", run->scene->directory);
+        return status_fail(status, STATUS_SCAN, "no usable surface in '%s'", run->scene->directory);
     if (run_measured(run, status) != STATUS_OK)
         return status->code;
     double last = clock_seconds();

@@ -72,12 +72,6 @@ static enum status_code fail_units(const struct scan *out, const char *x, const 
     if (x_wrong || z_wrong)
         return scan_fail(file, 0, "'%.16s' is no unit of length; give %s as m, mm, um, nm, pm, A, in, mil or uin",
                          x_wrong ? x : z, x_wrong ? "x_unit" : "z_unit");
-    struct unit first;
-    if (no_x && unit_read(&first, out->unknown_unit[0], strlen(out->unknown_unit[0])) &&
-        unit_of(&first, UNIT_FORCE | UNIT_PRESSURE | UNIT_RESISTANCE | UNIT_THERMAL_RESISTANCE))
-        return scan_fail(file, 0,
-                         "x in '%s' is no scan; is it a measurement, `measured: {file: ...}` in scene.yaml takes it",
-                         out->unknown_unit[0]);
     const char *unknown = out->unknown_unit[no_x && *out->unknown_unit[0] ? 0 : no_z];
     return scan_fail(file, 0,
                      "%s%s%sno unit for %s%s%s; add %s%s%s (or what %s in) to this surface in scene.yaml, or give%s%s",
@@ -101,6 +95,12 @@ enum status_code scan_units(struct scan *out, const char *x_named, const char *z
         return scan_fail(file, 0, "x is in '%.16s' by the file, which is no unit of length", x);
     if (z && !find_unit(z).name)
         return scan_fail(file, 0, "z is in '%.16s' by the file, which is no unit of length", z);
+    struct unit first;
+    if (unit_read(&first, out->unknown_unit[0], strlen(out->unknown_unit[0])) &&
+        unit_of(&first, UNIT_FORCE | UNIT_PRESSURE | UNIT_RESISTANCE | UNIT_THERMAL_RESISTANCE))
+        return scan_fail(file, 0,
+                         "x in '%s' is no scan; is it a measurement, `measured: {file: ...}` in scene.yaml takes it",
+                         out->unknown_unit[0]);
     out->units_lacking = !x || !z;
     bool x_beside = !x && beside && (x = text_header_x_unit(beside, out->x_column));
     bool z_beside = !z && beside && (z = text_header_z_unit(beside, out->z_column));
@@ -130,7 +130,7 @@ void scan_warn_units(struct scan *out, const struct scan_file *file)
     for (size_t i = 0; i < 2; i++) {
         double used = find_unit(units[i][0]).si;
         if (said(units[i][1]) && used > 0 && find_unit(units[i][1]).si != used)
-            scan_warn(out, "the file%s names its %c unit, %s: the scene's %c_unit is not used",
+            scan_warn(out, "the file%s names its %c unit, %s: the given %c_unit is not used",
                       out->units_beside ? " or its sidecar" : "", "xz"[i], units[i][0], "xz"[i]);
     }
 }
@@ -252,10 +252,10 @@ enum status_code scan_take_text(struct scan *out, struct string_view text, doubl
 bool scan_is_binary(const struct scan_file *file)
 {
     enum { LOOKED_AT = 4096 };
-    size_t length = file->length < LOOKED_AT ? file->length : LOOKED_AT;
-    while (length == file->length && length > 0 && (file->bytes[length - 1] == '\0' || file->bytes[length - 1] == 0x1a))
+    size_t length = file->length;
+    while (length > 0 && (file->bytes[length - 1] == '\0' || file->bytes[length - 1] == 0x1a))
         length--; /* some programs end a text with these */
-    for (size_t i = 0; i < length; i++) {
+    for (size_t i = 0; i < length && i < LOOKED_AT; i++) {
         unsigned char c = (unsigned char)file->bytes[i];
         if (c == '\0' || (c < 0x20 && !strchr("\t\n\v\f\r\x1a\x02\x03\x04", c)))
             return true;

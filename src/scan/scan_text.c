@@ -458,7 +458,7 @@ static void mark_missing(struct scan *out)
         if (found < (mark > 0 || mark < -1e6 * z_m ? 2 : 1) || near > 0)
             continue;
         take_out(out, mark);
-        scan_warn(out, "a height of %g %s stands for a missing point, %zu times", sentinels[k], out->z_unit, found);
+        scan_warn(out, "a height of %g %s stands for missing points: %zu", sentinels[k], out->z_unit, found);
     }
     mark_gap(out, true);
     mark_gap(out, false);
@@ -802,7 +802,7 @@ static enum status_code take_table(struct scan *out, struct table *table)
     if (is_matrix(table))
         return take_matrix(out, table);
     if (table->rows < TEXT_POINTS)
-        return scan_fail(table->file, table->last_line, "only %zu points; a scan needs at least %d", table->rows,
+        return scan_fail(table->file, table->last_line, "points: %zu; a scan needs at least %d", table->rows,
                          TEXT_POINTS);
     if (table->columns == 1)
         return take_heights(out, table, 0);

@@ -7,9 +7,9 @@ static const double element_threshold = 0.1; /* of p and v, ISO 21920-2 default 
 static const double short_of_fit = 0.01;     /* of a sampling length */
 
 enum { A, Q, P, V, Z, T, SK, KU, DQ, SM };
-const struct parameters_row parameters_rows[PARAMETERS_COUNT] = {
-    [A] = {"a", true}, [Q] = {"q", true},    [P] = {"p", true},    [V] = {"v", true},    [Z] = {"z", true},
-    [T] = {"t", true}, [SK] = {"sk", false}, [KU] = {"ku", false}, [DQ] = {"dq", false}, [SM] = {"sm", true},
+const char *const parameters_names[PARAMETERS_COUNT] = {
+    [A] = "a", [Q] = "q",   [P] = "p",   [V] = "v",   [Z] = "z",
+    [T] = "t", [SK] = "sk", [KU] = "ku", [DQ] = "dq", [SM] = "sm",
 };
 
 /** sqrt of the mean square 7-point slope, in heights a point. */

@@ -17,22 +17,17 @@
 #define SPECTRUM_PARAMETERS_H
 
 #include "base/status.h"
-#include <stdbool.h>
 #include <stddef.h>
 
 enum { PARAMETERS_COUNT = 10 };
 
-struct parameters_row {
-    const char *name; /* after P or R: "a" for Pa, Ra */
-    bool is_length;   /* in m; else a pure number */
-};
-extern const struct parameters_row parameters_rows[PARAMETERS_COUNT];
+extern const char *const parameters_names[PARAMETERS_COUNT]; /* after P or R: "a" for Pa, Ra */
 
 struct parameters {
     char letter; /* 'P' or 'R' */
     size_t sampling_lengths;
     double first_m, evaluation_length_m; /* where in the profile it begins, and its length */
-    double value[PARAMETERS_COUNT];      /* of parameters_rows; NaN: not defined for these heights */
+    double value[PARAMETERS_COUNT];      /* of parameters_names, lengths in m; NaN: not defined */
 };
 
 /** Parameters of `points` >= 3 heights cut into `sampling_lengths` equal parts. */

@@ -121,7 +121,7 @@ TEST_IN_WORKSPACE(test_gnuplot_waits_for_data)
 {
     workspace_shell(place, "mkdir d && seq 400000 > d/a.txt"); /* of no unit, which takes long enough to say */
     char *path = workspace_program(place, "gnuplot", "#!/bin/sh\ntouch \"$0.started\"\ncat > /dev/null\n");
-    expect_part(expect_exit(place, 4, "report", "d").err, "no readable scan in 'd'");
+    expect_part(expect_exit(place, 4, "report", "d").err, "no usable surface in 'd'");
     workspace_shell(place, "! find . -name '*.started' | grep .");
     workspace_take_back(path);
 }

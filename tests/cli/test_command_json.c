@@ -154,7 +154,7 @@ TEST_IN_WORKSPACE(test_failures)
         int status;
     } wrong[] = {{"nowhere", "cannot open directory 'nowhere'", 4},
                  {"bad", "bad/scene.yaml:1: unknown key 'x'", 3},
-                 {"none", "no readable scan in 'none'", 4}};
+                 {"none", "no usable surface in 'none'", 4}};
     workspace_scan(place, "bad/a.csv", 100, 1);
     workspace_write(place, "bad/scene.yaml", "x: 1\n");
     workspace_write(place, "none/broken.csv", "x [um],z [um]\n0,1\n1,two\n");

@@ -88,14 +88,17 @@ TEST_IN_WORKSPACE(what_is_to_be_filled_in)
     workspace_scan(place, "d/a.csv", 200, 1);
     workspace_shell(place, "tail -n +2 d/a.csv > d/both.csv; (echo 'x [um],z'; cat d/both.csv) > d/z.csv");
     workspace_write(place, "d/short.csv", "x [um],z [um]\n0,1\n");
+    workspace_write(place, "d/test.csv", "force [N],z [um]\n0,1\n1,2\n2,1\n");
     workspace_write(place, "d/picture.png", "\x89PNG\r\n\x1a\n");
     struct process before = expect_exit(place, 1, "report", "d", "--brief", "--no-cost");
     run_to_exit(place, 0, "init", "d");
     struct process after = expect_exit(place, 1, "report", "d", "--brief", "--no-cost");
     expect_part(before.err, after.err); /* but for the picture, which is passed over last or first */
     expect_in_file(place, "d/scene.yaml", "\n# passed over, no scan: 1 x PNG picture (picture.png)\n",
-                   "# The scene of 4 scans.", "file: \"both.csv\"\n    # x_unit: mm ", "\n    # z_unit: um ",
-                   "file: \"short.csv\"\n    # This is refused as it stands: ", "file: \"z.csv\"\n    # z_unit: um ");
+                   "file: \"both.csv\"\n    # x_unit: mm ", "\n    # z_unit: um ",
+                   "file: \"short.csv\"\n    # This is refused as it stands: ",
+                   "test.csv\"\n    # This is refused as it stands: d/test.csv: x in 'N' is no scan",
+                   "file: \"z.csv\"\n    # z_unit: um ");
     /* with every line in force it is a scene, too */
     workspace_shell(place, "sed -i -E 's/^( *)# ([a-z_]+:)/\\1\\2/' d/scene.yaml");
     expect_in_file(place, "d/scene.yaml", "\nmaterial: ", "\ncounterface: ", "\nnominal_area: ", "\nshape: ",
@@ -103,7 +106,7 @@ TEST_IN_WORKSPACE(what_is_to_be_filled_in)
     json_t *plan = process_json(expect_exit(place, 1, "plan", "d", "--json")), *surface;
     size_t i;
     json_array_foreach(json_object_get(plan, "surfaces"), i, surface)
-        assert_int_equal(json_is_null(json_object_get(surface, "refused")), i != 2); /* short.csv */
+        assert_int_equal(json_is_null(json_object_get(surface, "refused")), i != 2 && i != 3); /* short.csv, test.csv */
     assert_int_equal(json_integer_value(json_object_get(plan, "targets")), 3);
     assert_true(json_is_true(json_object_get(plan, "material_known")));
 }

@@ -202,19 +202,32 @@ TEST_IN_WORKSPACE(test_a_map)
                                      "  points      6 x 4, spacing 2 um x 2 um, 0 missing\n"
                                      "  plane out   Sq 1 um, Sa 1 um, Sz 2 um, Ssk 0, Sku 1, Sdq 0; below: rows, each "
                                      "over its line\n"
-                                     "  roughness   Rq 0.956183 um, Ra 0.914286 um, peak to valley 2.51429 um\n"
+                                     "  all points  Rq 0.956183 um, Ra 0.914286 um, peak to valley 2.51429 um\n"
                                      "  moments     m2 0.00734694, m4 1 /um2\n"
                                      "  to paste    sigma_asp 1 um, m_asp 0 (of two rough sides the "
                                      "root of the sum of squares)\n"
                                      "  power law   - (no power law found)\n"
-                                     "  note        a report low-passes it at 12 um, as more than 2 % of its slopes "
-                                     "are shorter: Sq 1 → 1.53e-05 um, slope 0 → 0\n");
+                                     "  note        only 6 points in a row; a report needs 11\n");
     json_t *map = inspect_first(expect_exit(place, 0, "inspect", "--json", "--z-unit", "um", "map.txt"));
     assert_string_equal(json_text_at(map, "kind"), "areal");
     CHECK_FIGURES(map, {24, "points", 1, 0}, {6, "nx", 1, 0}, {4, "ny", 1, 0}, {2e-6, "dx_m", 1, 1e-12},
                   {2e-6, "dy_m", 1, 1e-12}, {1e-6, "sq_m", 1, 0.02}, {2e-6, "sz_m", 1, 0.1},
                   {1e12, "m4_per_m2", 1, 1e-9}); /* (4 um/(2 um)²)² */
     assert_null(json_object_get(map, "parameters"));
+}
+
+/* Points and length are those that the numbers are of, without ends that were left out. */
+TEST_IN_WORKSPACE(test_points_without_the_ends)
+{
+    struct text *scan = support_text();
+    text_add(scan, "spacing 2 um\nunit: um\n");
+    for (int i = 0; i < 100; i++)
+        text_add(scan, i < 3 || i == 50 ? "NaN\n" : "%d\n", i * i % 7);
+    workspace_write(place, "a.txt", text_string(scan));
+    expect_output(expect_exit(place, 0, "inspect", "a.txt"),
+                  "  points      97, spacing 2 um (uniform), length 0.192 mm");
+    json_t *of = inspect_first(expect_exit(place, 0, "inspect", "--json", "a.txt"));
+    CHECK_FIGURES(of, {97, "points", 1, 0}, {192e-6, "length_m", 1, 1e-12});
 }
 
 /* Waves of 32 and 4 points along both directions: Sq² = .5² + .1², of which the low-pass at 6 leaves the long ones.
@@ -237,7 +250,8 @@ TEST_IN_WORKSPACE(test_what_a_low_pass_takes)
         assert_near(json_number_at(of, "sq_m"), hypot(0.5, 0.1 * noisy) * 1e-6, 1e-6);
         assert_int_equal(strstr(process.out, "Sq 0.51 → 0.476 um, slope 0.2 → 0.13") != NULL, noisy);
         assert_int_equal(strstr(process.out, "low-pass") != NULL, noisy);
-        expect_output(process, noisy ? "m_asp 0.112" : "m_asp 0.079"); /* sqrt(2/pi) Sdq/sqrt 2 */
+        expect_output(process, noisy ? "sigma_asp 0.476" : "sigma_asp 0.5 um, m_asp 0.079"); /* sqrt(2/pi) Sdq/sqrt 2 */
+        assert_near(json_number_at(of, "mean_slope"), (noisy ? 0.13 : 0.1386) / sqrt(M_PI), 0.05); /* what is left */
     }
 }
 
@@ -249,13 +263,13 @@ TEST_IN_WORKSPACE(test_the_text_of_a_profile)
         process.out, "p.csv\n"
                      "  format      text, x in um, z in um\n"
                      "  points      300, spacing 1 um (uniform), length 0.299 mm, periodic\n"
-                     "  parameters  Pa 0.17826 Pq 0.19496 Pp 0.41121 Pv 0.28598 Pz 0.6972 \n"
-                     "              Pt 0.6972 Psk 0.22413 Pku 1.6848 Pdq 0.018759 Psm - \n"
-                     "              lengths in um, over 0.3 mm in 1 sampling length, slope 7-point\n"
-                     "  parameters  Ra 0.054325 Rq 0.065465 Rp 0.14363 Rv 0.12002 Rz 0.26365 \n"
-                     "              Rt 0.31709 Rsk 0.34101 Rku 2.3256 Rdq 0.017724 Rsm 37.814 \n"
-                     "              lengths in um, over 0.24 mm in 3 sampling lengths from 0.03 mm on, slope 7-point\n"
-                     "  roughness   Rq 0.0633857 um, Ra 0.0510933 um, peak to valley 0.317094 um\n"
+                     "  parameters  Pa 0.17826 Pq 0.19496 Pp 0.41121 Pv 0.28598 Pz 0.6972\n"
+                     "              Pt 0.6972 Psk 0.22413 Pku 1.6848 Pdq 0.018759 Psm -\n"
+                     "              lengths in um, over 0.3 mm, slope 7-point\n"
+                     "  parameters  Ra 0.054325 Rq 0.065465 Rp 0.14363 Rv 0.12002 Rz 0.26365\n"
+                     "              Rt 0.31709 Rsk 0.34101 Rku 2.3256 Rdq 0.017724 Rsm 37.814\n"
+                     "              lengths in um, over 0.24 mm from 0.03 mm on, sampling lengths: 3, slope 7-point\n"
+                     "  all points  Rq 0.0633857 um, Ra 0.0510933 um, peak to valley 0.317094 um\n"
                      "  moments     m2 0.000261124, m4 0.000217982 /um2\n"
                      "  to paste    sigma_asp 0.0633857 um, m_asp 0.0128933 (of two rough sides the root of the sum "
                      "of squares)\n"
@@ -263,6 +277,13 @@ TEST_IN_WORKSPACE(test_the_text_of_a_profile)
                      "              rms amplitude 0.001925 um x/: 1.08 at 6.14 um, C 5.56e-22 m3\n"
                      "  note        gaussian high-pass lambda_c = 80 um (ISO 16610-21; its end goes on at its "
                      "beginning)\n");
+    json_t *of = inspect_first(expect_exit(place, 0, "inspect", "--json", "--lambda-c", "80um", "p.csv"));
+    CHECK_FIGURES(of, {0.0128933, "mean_slope", 1, 1e-5}, {1.628, "gamma", 1, 1e-3}, {0.097, "gamma_stderr", 1, 0.01},
+                  {1.925e-9, "fit_amplitude_m", 1, 1e-3}, {2.01e-6, "fit_low_m", 1, 5e-3},
+                  {18.8e-6, "fit_high_m", 1, 5e-3}, {0.03, "fit_misfit_decades", 1, 0.05},
+                  {5.56e-22, "fit_psd_m3", 1, 1e-2});
+    assert_string_equal(json_text_at(of, "fit"), "narrow");
+    assert_string_equal(json_text_at(of, "positions"), "uniform");
 }
 
 TEST_IN_WORKSPACE(test_options)
@@ -333,4 +354,11 @@ TEST_IN_WORKSPACE(test_a_directory)
     workspace_write(place, "d/bad.csv", "nothing\n");
     expect_output(expect_exit(place, 1, "inspect", "--json", "d"), "\"file\": \"d/s/b.csv\"",
                   "no line of numbers in it: not a scan");
+    /* by its scene: scans along the lay, the counterface, and as many missing points as a report takes */
+    workspace_write(place, "d/c.csv", "x [um];z [um]\n0;1\n1;2\n2;1.5\n3;\n4;2\n5;1\n");
+    workspace_write(place, "d/scene.yaml",
+                    "material: tin\nmax_missing: 20 %\nsurfaces: [{name: s, file: a.csv, along: s/b.csv}]\n"
+                    "counterface: {surface: c.csv, material: tin}\n");
+    expect_output(expect_exit(place, 0, "inspect", "--json", "d"), "\"file\": \"d/a.csv\"", "\"file\": \"d/s/b.csv\"",
+                  "\"file\": \"d/c.csv\"");
 }

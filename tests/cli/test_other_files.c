@@ -76,9 +76,14 @@ TEST_IN_WORKSPACE(test_packed)
     expect_errors(expect_exit(place, 1, "report", "--no-cost", "dz"),
                   "'2.csv' in the archive is damaged; copy the file again - refused; the others of the "
                   "archive are used\n");
+    expect_in_file(place, "out/dz/report.md", "**1 of 3 files was not used**, of s.");
     workspace_scan(place, "df/1.csv", 200, 3);
     workspace_scan(place, "df/3.csv", 200, 1);
     workspace_write(place, "df/scene.yaml", "surfaces: [{name: s, file: [1.csv, 3.csv]}]\n");
     run_to_exit(place, 0, "report", "--no-cost", "df");
     directory_expect_same(place, "out/dz/data/contact.csv", "out/df/data/contact.csv");
+    expect_in_file(place, "out/df/report.md", "- s: 1.csv, 3.csv; text, x um, z um,");
+    workspace_shell(place, "sed -i 's/x .um./x [mm]/' df/3.csv");
+    run_to_exit(place, 0, "report", "--no-cost", "df");
+    expect_in_file(place, "out/df/report.md", "- s: 1.csv, 3.csv; text, several units,");
 }

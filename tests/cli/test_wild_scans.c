@@ -130,7 +130,7 @@ static void expect_reported_or_refused(const char *place, size_t seed)
         fail_msg("exit status %d: ...%s", run.status, run.err + (strlen(run.err) > 400 ? strlen(run.err) - 400 : 0));
     if (run.status == 4 && !strstr(run.err, "no scan in") && /* the only one is the counterface */
         !strstr(run.err, "no model is left for"))            /* of those that the scene names */
-        expect_part(run.err, "no readable scan");
+        expect_part(run.err, "no usable surface");
     expect_no_parts(run.err, "fault of the program", "please report", "ERROR: ");
     static struct hard_case row = {
         .words = {

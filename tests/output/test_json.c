@@ -153,7 +153,7 @@ TEST_CASE(test_the_pages_units)
     const char *page = directory_read(*state, "out/report.md");
     const char *materials = strstr(page, "**Table 6.1.**"), *rows = strstr(page, "**Table 6.2.**"),
                *tin = strstr(materials, "\n| tin |") + 1;
-    double wavelength_um = strtod(strstr(rows, "of the law, at ") + strlen("of the law, at "), NULL);
+    double wavelength_um = strtod(strstr(rows, "αλᵞ at ") + strlen("αλᵞ at "), NULL);
     size_t i, laws = 0;
     json_array_foreach(json_object_get(root, "surfaces"), i, surface)
     {

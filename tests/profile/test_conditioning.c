@@ -126,6 +126,9 @@ TEST_CASE(test_digitising)
     for (size_t i = 0; i < POINTS; i++)
         z[i] = round(z[i] / 1e-9) * 1e-9; /* seen, but it makes 1 % of m4 */
     expect_note(condition(1e-6, profile_defaults), "steps of", false);
+    for (size_t i = 0; i < POINTS; i++)
+        z[i] = 5e-7 * sin(2 * M_PI * (double)i / 200); /* its slopes at the crests are multiples of one */
+    expect_note(condition(2.5e-7, profile_defaults), "steps of", false);
     uint64_t seed = 3;
     for (size_t i = 0; i < POINTS; i++)
         z[i] = 1e-6 * noise(&seed);
@@ -189,7 +192,7 @@ TEST_CASE(test_ends_and_few_points)
         z[i] = 1e-8 * sin((double)i) + (i == POINTS - 1 ? 1e-6 : 0);
     expect_note(condition(1e-6, profile_defaults), "the ends of the record differ by 0.99", true);
     struct scan scan = scan_on(NULL, z, 63, 1e-6);
-    expect_note(profile_good(&scan, &profile_defaults), "only 63 points; the spectrum has 31 harmonics", true);
+    expect_note(profile_good(&scan, &profile_defaults), "only 63 points: the spectrum is coarse", true);
     scan.nx = 64;
     expect_note(profile_good(&scan, &profile_defaults), "points;", false);
 }

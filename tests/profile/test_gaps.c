@@ -39,7 +39,7 @@ TEST_CASE(test_gaps_in_a_sinusoid)
         assert_int_equal(profile.points, POINTS);
         assert_note(
             &profile,
-            filled("%zu missing points in 5 gaps were bridged by straight lines, the longest over %zu ", missing, gap));
+            filled("missing points bridged by straight lines: %zu; gaps: 5; points in the longest: %zu", missing, gap));
         profile_free(&profile);
     }
 }
@@ -79,7 +79,7 @@ TEST_CASE(test_missing_ends_are_cut_off)
         assert_int_equal(profile.points, POINTS - 80);
         assert_near(profile.spacing_m, 1e-6, 1e-12);
         assert_memory_equal(profile.height_m, z + 30, (POINTS - 80) * sizeof *z);
-        assert_note(&profile, "80 missing points at the ends were cut off");
+        assert_note(&profile, "missing points cut off at the ends: 80");
         assert_null(find_note(&profile, "bridged"));
         profile_free(&profile);
     }
@@ -93,7 +93,7 @@ TEST_CASE(test_too_many_are_refused)
     for (size_t i = 5; i < POINTS; i += 10)
         z[i] = NAN;
     struct scan scan = scan_on(NULL, z, POINTS, 1e-6);
-    expect_note(profile_good(&scan, &as_it_is), "200 missing points", true); /* exactly 10 % */
+    expect_note(profile_good(&scan, &as_it_is), "straight lines: 200", true); /* exactly 10 % */
     z[1] = NAN;
     struct profile many;
     hard_case("more than a tenth missing", "bridges are most of the roughness", "refused; `max_missing` allows more",
@@ -102,8 +102,8 @@ TEST_CASE(test_too_many_are_refused)
     assert_profile_refused(&scan, &as_it_is,
                            "201 of 2000 heights are missing, 10.1 % where 10 % may be; allow more with "
                            "`max_missing`");
-    expect_note(profile_good(&scan, &(struct profile_options){.max_missing = 0.2}), "201 missing points in 201 gaps",
-                true);
+    expect_note(profile_good(&scan, &(struct profile_options){.max_missing = 0.2}),
+                "straight lines: 201; gaps: 201", true);
     for (size_t i = 0; i < POINTS - 2; i++)
         z[i] = NAN;
     assert_profile_refused(&scan, &(struct profile_options){.max_missing = 0.9},

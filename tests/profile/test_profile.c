@@ -97,6 +97,22 @@ TEST_CASE(test_rounded_positions_are_recognised)
         }
 }
 
+/* Rows that are missing do not make the positions rounded: the heights are interpolated. */
+TEST_CASE(test_missing_rows_are_no_rounding)
+{
+    static const size_t missing[] = {1, 2, 10};
+    for (size_t m = 0; m < 3; m++) {
+        for (size_t i = 0; i < 400; i++) {
+            x_m[i] = (double)(i < 60 ? i : i + missing[m]) * 5e-7;
+            z_m[i] = smooth(x_m[i]);
+        }
+        struct profile profile = make(sample(400, true), LEVEL_NONE);
+        assert_int_equal(profile.grid, PROFILE_RESAMPLED);
+        assert_near(profile.height_m[300], smooth(x_m[0] + 300 * profile.spacing_m), 1e-2);
+        profile_free(&profile);
+    }
+}
+
 /* Fills x with steps that grow steadily from 1 to 3 (times a tenth of a micrometre or so) and z with `height`. */
 static void make_uneven(size_t points, double (*height)(double))
 {

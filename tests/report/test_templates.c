@@ -142,14 +142,12 @@ static bool is_text(const char *source, const char *name)
     return false;
 }
 
-/** Does the program say it, as a text of its source; or what is in um as a length in m? */
+/** Does the program say it, as a text of its source; or as a parameter of `inspect` behind its P or R? */
 static bool is_in_source(const char *source, const struct around *around, const char *name)
 {
-    size_t stem = strlen(name) > 3 && strcmp(name + strlen(name) - 3, "_um") == 0 ? strlen(name) - 3 : 0;
-    char length[NAME + 4];
-    (void)around;
-    snprintf(length, sizeof length, "%.*s_m", (int)stem, name);
-    return is_text(source, name) || (stem > 0 && is_text(source, length));
+    bool parameter = around->count > 0 && strcmp(around->words[0], "parameters") == 0 && strchr("PR", *name);
+    return is_text(source, name) ||
+           (parameter && (is_text(source, name + 1) || is_text(source, filled("%%c%s", name + 1))));
 }
 
 TEST_CASE(templates_of_the_report_fill_in_documented_names)
@@ -192,7 +190,7 @@ TEST_CASE(other_templates_fill_in_what_the_program_says)
     static const struct {
         const char *file, *of[12]; /* folders end in "/" */
     } templates[] = {{"compare.txt", {"src/report/report_compare.c", "src/report/view.c"}},
-                     {"inspect.txt", {"src/cli/inspection.c", "src/output/record.c"}},
+                     {"inspect.txt", {"src/cli/inspection.c", "src/output/record.c", "src/spectrum/parameters.c"}},
                      {"words.txt",
                       {"src/chart/", "src/report/", "src/results/", "src/scene/", "src/plan/", "src/run/",
                        "src/members/", "src/answers/", "src/claims/", "src/cli/"}},

@@ -190,7 +190,8 @@ TEST_IN_PLACE(test_a_narrow_law)
     assert_true(number(place, "narrow-out", "a", "fit_low_m") >= 5e-6 &&
                 number(place, "narrow-out", "a", "fit_high_m") <= 4e-5);
     expect_gamma_made(place, "narrow-out", "a");
-    expect_in_file(place, "narrow-out/report.md", " (narrow) | ", "No power law of a decade was found on 2 surfaces.");
+    expect_in_file(place, "narrow-out/report.md", " (narrow) | ", "No power law of a decade was found on 2 surfaces.",
+                   "αλᵞ at the middle of each band");
 }
 
 /* Heights to the picometre of a law that an instrument has cut off at 8 um, so that shorter waves are rounding only.

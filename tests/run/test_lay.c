@@ -153,6 +153,7 @@ TEST_IN_DIRECTORY(scans_along_are_read_as_others)
     assert_true(lay_number(place, "o", "r") < 1);
     run_scene(place, "o", "'a*.csv'", ", along: 'l*.csv'", "models: [strip]\n");
     assert_non_null(strstr(directory_read(place, "o/results.json"), "1 of 7 files"));
+    expect_in_file(place, "o/report.md", "- s: a1.csv, a2.csv, a3.csv, l1.csv, l2.csv and 2 more; text,");
     directory_write(place, "in/scene.yaml", "material: tin\nsurfaces: [{name: s, file: 'a*.csv', along: 'a*.csv'}]\n");
     struct status status = {0};
     const struct run_outcome *outcome = pipeline_into(place, "in", "same", (struct run_options){0}, &status);

@@ -48,7 +48,7 @@ PLACED(test_a_run_that_fails_leaves_the_report_before)
                      "no templates here");
     for (int i = 0; i < 3; i++)
         directory_write(place, scans[i], "no numbers\n");
-    assert_untouched(place, (struct run_options){0}, STATUS_SCAN, "no readable scan");
+    assert_untouched(place, (struct run_options){0}, STATUS_SCAN, "no usable surface");
     for (int i = 0; i < 3; i++)
         unlink(directory_path(place, scans[i]));
     assert_untouched(place, (struct run_options){0}, STATUS_SCAN, "no scan in");

@@ -25,7 +25,7 @@ TEST_CASE(test_files)
         enum format_kind kind;
     } files[] = {
         {"a", BYTES("\1\0Directory\0\0\0\0"), "Wyko OPD file", FORMAT_FOREIGN},
-        {"a.PLU", BYTES("Mon Jan 01 2001\0\0\0"), "Sensofar PLU file", FORMAT_FOREIGN},
+        {"a.PLU", BYTES("Mon Jan 01 2001\0\0\0\1"), "Sensofar PLU file", FORMAT_FOREIGN},
         {"a.plu", BYTES("1 2\n3 4\n"), "text", FORMAT_SCAN}, /* text of that name */
         {"a.dat", BYTES("\x88\x1b\x03\x6f\0\1\0\0"), "Zygo MetroPro file", FORMAT_FOREIGN},
         {"a.dat", BYTES("\x88\x1b\x04\x6f\0\1\0\0"), NULL, FORMAT_UNKNOWN},
@@ -34,7 +34,7 @@ TEST_CASE(test_files)
         {"a.001", BYTES("\\*File list\r\n\\Version: 0x05\r\n"), "Bruker Nanoscope file", FORMAT_FOREIGN},
         {"a.vk4", BYTES("VK4_\0\0\0\0"), "Keyence VK file", FORMAT_FOREIGN},
         {"a.lext", BYTES("II*\0\x08\0\0\0\0\0"), "Olympus LEXT file", FORMAT_FOREIGN},
-        {"a.poir", BYTES("PK\3\4\0\0\0\0"), "Olympus POIR file", FORMAT_FOREIGN},
+        {"a.poir", BYTES("PK\3\4\0\0\0\0\1"), "Olympus POIR file", FORMAT_FOREIGN},
         {"a", BYTES("\x89HDF\r\n\x1a\n\0"), "HDF5 file", FORMAT_FOREIGN},
         {"a.tiff", BYTES("II*\0\xff\xff\xff\xff\1\0"), "TIFF picture", FORMAT_OTHER},
         {"a", BYTES("%PDF-1.7\n"), "PDF document", FORMAT_OTHER},

@@ -285,7 +285,7 @@ TEST_CASE(test_refusals)
     assert_refused("", "file: the file is empty");
     assert_refused("\n\n\n", "file: no line of numbers");
     assert_refused("{\n \"LENGTH\": 0.11,\n \"NAME\": null\n}\n", "file: no line of numbers in it: not a scan");
-    assert_refused("0,1\n1,2\n", "file:2: only 2 points");
+    assert_refused("0,1\n1,2\n", "file:2: points: 2");
     assert_refused("x,z\n0,1\n1,nan\n2,3\n", "file: 1 of 3 heights are missing");
     assert_refused("x,z\n0,1\nnan,2\n2,3\n3,4\n", "file:3: no x here; fill it in or remove this line");
     assert_refused("x,z\n0,1\n1,2\n,2\n3,4\n", "file:4: no x here; fill it in or remove this line");
@@ -315,7 +315,7 @@ TEST_CASE(test_missing_units)
     refuse_with(text, &no_units, "add `x_unit: mm` and `z_unit: um`");
     refuse_with(text, &no_units, "--x-unit mm --z-unit um");
     struct scan_options x_only = {.x_unit = "mm", .z_unit = ""}, z_only = {.z_unit = "um"},
-                        wrong = {.x_unit = "mm", .z_unit = "volt"};
+                        both_units = {.x_unit = "mm", .z_unit = "um"}, wrong = {.x_unit = "mm", .z_unit = "volt"};
     refuse_with(text, &x_only, "no unit for z; add `z_unit: um`");
     refuse_with(text, &z_only, "no unit for x; add `x_unit: mm`");
     refuse_with(text, &wrong, "is no unit of length; give z_unit");
@@ -334,6 +334,8 @@ TEST_CASE(test_missing_units)
     };
     for (size_t i = 0; i < sizeof titles / sizeof *titles; i++)
         refuse_with(filled("%s\n%s", titles[i].title, text), &no_units, titles[i].refused);
+    for (size_t i = 0; i < 2; i++) /* a force is no position, whatever the scene says */
+        refuse_with(filled("%s\n%s", titles[i].title, text), &both_units, titles[i].refused);
     struct scan scan = read_with("x [km],z [um]\n0,1\n1,2\n2,3\n", &x_only); /* the scene's counts */
     assert_string_equal(scan.x_unit, "mm");
     scan_free(&scan);
@@ -341,6 +343,11 @@ TEST_CASE(test_missing_units)
 
 TEST_CASE(test_binary)
 {
+    static const char ended[] = "x [mm];z [um]\n0;1\n1;2\n2;1\n\x1a\0";
+    struct scan scan = {0};
+    expect_ok(read_bytes, &scan, ended, sizeof ended, &no_units); /* with the NUL that ends it in C, two */
+    assert_int_equal(scan.nx, 3);
+    scan_free(&scan);
     static const char png[] = "\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\x20";
     assert_refused_bytes(png, sizeof png - 1, &no_units, "it is no scan: PNG picture");
     char noise[4096];
@@ -408,7 +415,7 @@ TEST_CASE(test_missing)
     }
     expect_scan("spacing 0.5 um, heights in um\nz unit: um\n1\n2\n***\nBAD\n3\n", 5, 2, NULL);
     expect_scan("x_unit: mm\nz_unit: um\n0 5\n1 -25400\n2 6\n3 5\n", 4, 1,
-                "a height of -25400 um stands for a missing point, 1 times");
+                "a height of -25400 um stands for missing points: 1");
     expect_scan("x_unit: mm\nz_unit: nm\n0 5\n1 -25400\n2 -20000\n3 5\n", 4, 0, NULL); /* others are as large */
 }
 

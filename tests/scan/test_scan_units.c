@@ -242,7 +242,7 @@ IN_FOLDER(test_sidecars)
     expect_units(&scene, "nm", "s.txt");
     expect_ok(take, &scan, &scene);
     assert_string_equal(scan.warnings[1],
-                        "the file or its sidecar names its z unit, nm: the scene's z_unit is not used");
+                        "the file or its sidecar names its z unit, nm: the given z_unit is not used");
     scan_free(&scan);
     directory_write(folder, "s.dat", "x [mm] z [pm]\n" BLANK);
     expect_units(&scene, "pm", NULL);

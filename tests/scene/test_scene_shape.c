@@ -147,7 +147,7 @@ TEST_CASE(test_refused)
          "the files of 'pressure' must be grids of the same places, each at another load"},
         {"operating_load: 410 N\nload: {from: 1 N, to: 1 kN}\nshape: {pressure: g.csv}\n", "",
          "'shape' carries 400 N, -2.44 % from 'operating_load'; correct either, or add scale: true"},
-        {"shape: {height: a.csv}\n", "", "a.csv:1: only 1 points; a scan needs at least 3"},
+        {"shape: {height: a.csv}\n", "", "a.csv:1: points: 1; a scan needs at least 3"},
         {"shape: {height: f.csv}\n",
          "x [mm],z [um]\n0,1\n1,3\n2,1\n3,1\n4,1\n5,1\n6,1\n7,1\n8,1\n9,1\n10,2\n11,2\n12,2\n",
          "'f.csv' is a profile; give a map of the part's height"},
