@@ -803,6 +803,7 @@ static bool share(struct claims *c)
 {
     const struct extent extent = extent_of(c, share_of, INFINITY);
     put_range(c, "share", extent.least, extent.most, 2, c->row->unit);
+    (void)put_names(c, &extent.on);
     put(c, "nominal", c->results->scene->nominal_area_m2);
     put(c, "current", c->results->scene->joint.current_A);
     const bool by_place = (c->row->effect == EFFECT_GAP || c->row->effect == EFFECT_FILM) && runs(c, EFFECT_SHAPE);
