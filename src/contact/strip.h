@@ -34,9 +34,9 @@ struct strip_rows {
  * noise makes. */
 double strip_smoothing(size_t scans);
 
-/** Gaussian strips that a strip is compared with. Of 64 000 points a second one changes area, gap and resistance by .03,
- * .1 and .12 (rms ln, one longest wave) to .05, .02 and .04 (300 of them), where models err by .37, .48 and .54; without
- * it 64 000 points take a fifth less. */
+/** Gaussian strips that a strip is compared with. Of 64 000 points a second one changes area, gap and resistance by
+ * .03, .1 and .12 (rms ln, one longest wave) to .05, .02 and .04 (300 of them), where models err by .37, .48 and .54;
+ * without it 64 000 points take a fifth less. */
 size_t strip_surrogates(const struct strip_rows *rows);
 
 /** The rows one after another, each followed by its mirror image unless periodic; malloc'ed; NULL: out of memory. */

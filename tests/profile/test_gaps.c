@@ -102,8 +102,8 @@ TEST_CASE(test_too_many_are_refused)
     assert_profile_refused(&scan, &as_it_is,
                            "201 of 2000 heights are missing, 10.1 % where 10 % may be; allow more with "
                            "`max_missing`");
-    expect_note(profile_good(&scan, &(struct profile_options){.max_missing = 0.2}),
-                "straight lines: 201; gaps: 201", true);
+    expect_note(profile_good(&scan, &(struct profile_options){.max_missing = 0.2}), "straight lines: 201; gaps: 201",
+                true);
     for (size_t i = 0; i < POINTS - 2; i++)
         z[i] = NAN;
     assert_profile_refused(&scan, &(struct profile_options){.max_missing = 0.9},

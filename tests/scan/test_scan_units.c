@@ -241,8 +241,7 @@ IN_FOLDER(test_sidecars)
     directory_write(folder, "s.txt", "z unit: nm\n");
     expect_units(&scene, "nm", "s.txt");
     expect_ok(take, &scan, &scene);
-    assert_string_equal(scan.warnings[1],
-                        "the file or its sidecar names its z unit, nm: the given z_unit is not used");
+    assert_string_equal(scan.warnings[1], "the file or its sidecar names its z unit, nm: the given z_unit is not used");
     scan_free(&scan);
     directory_write(folder, "s.dat", "x [mm] z [pm]\n" BLANK);
     expect_units(&scene, "pm", NULL);
