@@ -92,7 +92,8 @@ static void put_table(json_t *out, const struct view_source *source)
         char text[UNIT_LENGTH + 20];
         json_t *head = view_item(view_list(out, "limit_heads"));
         asked_text(text, sizeof text, scene->limits[l].text);
-        view_text(head, "symbol", scene->limits[l].symbol);
+        if (scene->limits[l].quantity != source->asked.quantity) /* else it is the column's before */
+            view_text(head, "symbol", scene->limits[l].symbol);
         view_text(head, "sign", scene->limits[l].is_most ? "≤" : "≥");
         view_text(head, "text", text);
     }
