@@ -41,6 +41,7 @@ static void put_surface(json_t *row, const struct view_source *source, size_t su
     view_text(row, "surface", view_name(source, surface));
     view_cells(view_list(row, "cells"), surface_fields, tables_surface_when(source->results), s);
     view_flag(row, "map", s->has_map);
+    view_flag(row, "several_maps", s->has_map && s->repeats.scans > 1);
     json_set_count(row, "scans", s->scans);
     view_some(row, "pieces", s->repeats.cut);
     put_constants(row, source, surface);
