@@ -250,14 +250,20 @@ static bool refused(struct claims *c)
     return put_names(c, &on);
 }
 
-/** Is the mean pressure where the summary stands beyond what the softer body bears? */
+/** Has the leading model no number where the summary stands, as the softer body yields altogether, or as the model ends
+ * before full contact? */
 static bool beyond_hardness(struct claims *c)
 {
     const struct material_pair *pair = results_pair(c->results, c->i);
     const double pressure_Pa = material_pair_pressure(pair, results_operating_load(c->results, c->i));
+    const struct model_row *model = model_rows[c->leading];
+    const bool yields = pressure_Pa >= pair->hardness_Pa;
     put(c, "hardness", pair->hardness_Pa);
     put(c, "pressure", pressure_Pa);
-    return isnan(answer(c, c->i, QUANTITY_AREA)) && pressure_Pa >= pair->hardness_Pa;
+    put_text(c, "label", model->label);
+    put_number(c, "area", model->largest_area, 100 * model->largest_area, 2, "%");
+    c->key = yields ? "beyond-hardness" : "beyond-model";
+    return isnan(answer(c, c->i, QUANTITY_AREA)) && (yields || (model->ends && summary_of(c, c->i)->models[c->leading]->exists));
 }
 
 /** How many spots carry the answer's load, in proportion to the load: those counted on a map that leads, else the
@@ -412,8 +418,8 @@ static bool gaps_conduct(const struct claims *c)
 }
 
 /** Does the ranking agree with the table? Not where gaps carry heat beside the spots that are ranked, nor where a
- * number there is measured, nor where a surface that is not ranked, as its scatter is unknown, is better than the
- * first. */
+ * number there is measured or a bound, nor where a surface that is not ranked, as its scatter is unknown, is better than
+ * the first. */
 static bool ranking_holds(const struct claims *c)
 {
     const struct comparison *ranking = c->comparison;
@@ -423,7 +429,8 @@ static bool ranking_holds(const struct claims *c)
     const double best = answer(c, ranking->surface[0], ranking->criterion);
     for (size_t k = 0; k < c->results->usable_count; k++) {
         const double value = answer(c, usable(c, k), ranking->criterion);
-        if (known_value(c->results, c->asked.quantity, usable(c, k)).measured || (rises ? value > best : value < best))
+        const struct known known = known_value(c->results, c->asked.quantity, usable(c, k));
+        if (known.measured || known.kind == KNOWN_AT_MOST || (rises ? value > best : value < best))
             return false;
     }
     return true;
