@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "plan/effects.h"
 #include "base/costs.h"
+#include "base/number_format.h"
 
 #include "contact/convergence.h"
 #include "contact/corrected_persson.h"
@@ -66,11 +67,24 @@ enum status_code effects_bound(struct surface_record *record, const struct surfa
     return STATUS_OK;
 }
 
+enum { SHOWN = 40 };
+
+/** Two digits, as a reader wants them. */
+static const char *shown(char out[SHOWN], double value)
+{
+    struct text text = {0};
+    number_format(&text, fmin(value, DBL_MAX), 2);
+    snprintf(out, SHOWN, "%s", text_string(&text));
+    text_free(&text);
+    return out;
+}
+
 /** Plasticity changes the area by at most (1 + r^4)^(1/4) - 1, r the pressure in contact over hardness. A plastic model
  * that is named and has no elastic partner needs it in any case. */
 static void decide_plasticity(struct plan *plan, const struct scene *scene, const struct surface_record *surfaces,
                               size_t count)
 {
+    char times[SHOWN], area[SHOWN];
     double most = 0;
     bool needed = false;
     for (size_t i = 0; i < count; i++)
@@ -81,19 +95,20 @@ static void decide_plasticity(struct plan *plan, const struct scene *scene, cons
     const double change = expm1(log1p(pow(most, 4)) / 4);
     bool runs = needed || change > scene->tolerance;
     plan_decide(plan, EFFECT_PLASTICITY, runs,
-                words_say(plan->words, "%s\ntimes %.2g\nchange %.1g", runs ? "effect.yields" : "effect.yields_little",
-                          fmin(most, DBL_MAX), change));
+                words_say(plan->words, "%s\ntimes %s\nchange %s", runs ? "effect.yields" : "effect.yields_little",
+                          shown(times, most), shown(area, 100 * change)));
 }
 
 static void decide_scale_dependence(struct plan *plan, const struct surface_record *surfaces, size_t count,
                                     double tolerance)
 {
+    char by[SHOWN];
     double most = 0;
     for (size_t i = 0; i < count; i++)
         most = fmax(most, surfaces[i].summary.scale_dependence);
     plan_decide(plan, EFFECT_SCALE_DEPENDENT, most > tolerance,
-                words_say(plan->words, "%s\nby %.2g\n%s", most > 0 ? "effect.raises_tcr" : "effect.no_model",
-                          fmin(most, DBL_MAX), most > tolerance ? "" : "little"));
+                words_say(plan->words, "%s\nby %s\n%s", most > 0 ? "effect.raises_tcr" : "effect.no_model",
+                          shown(by, 100 * most), most > tolerance ? "" : "little"));
 }
 
 /** Records how many spectra can be extrapolated. */

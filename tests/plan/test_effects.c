@@ -149,7 +149,7 @@ PLACED(test_decisions)
     decide(0.1415, 1.01e-4);
     assert_true(plan_runs(&plan, EFFECT_PLASTICITY) && plan_runs(&plan, EFFECT_SCALE_DEPENDENT));
     assert_string_equal(plan.effects[EFFECT_PLASTICITY].reason, "spots might bear up to 0.14 times the hardness");
-    assert_string_equal(plan.effects[EFFECT_SCALE_DEPENDENT].reason, "(8/3π) λmfp/a raises TCR by up to 0.0001");
+    assert_string_equal(plan.effects[EFFECT_SCALE_DEPENDENT].reason, "(8/3π) λmfp/a raises TCR by up to 0.010 %");
     assert_true(plan_runs(&plan, EFFECT_CONVERGENCE));
     assert_string_equal(plan.effects[EFFECT_CONVERGENCE].reason,
                         "sweeps, and the spectra of 0 of 1 surfaces carried on below what is known");
@@ -157,15 +157,15 @@ PLACED(test_decisions)
     assert_false(plan_runs(&plan, EFFECT_PLASTICITY) || plan_runs(&plan, EFFECT_SCALE_DEPENDENT));
     assert_string_equal(
         plan.effects[EFFECT_PLASTICITY].reason,
-        "no spot bears more than 0.14 times the hardness: 0.0001 of the area at most, below the tolerance");
+        "no spot bears more than 0.14 times the hardness: 0.010 % of the area at most, below the tolerance");
     assert_string_equal(plan.effects[EFFECT_SCALE_DEPENDENT].reason,
-                        "(8/3π) λmfp/a raises TCR by up to 9.9e-05, below the tolerance");
+                        "(8/3π) λmfp/a raises TCR by up to 0.0099 %, below the tolerance");
     assert_false(plan.wanted & QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT));
     decide(1e-3, 0); /* r^4/4, which would be lost in 1 + r^4 */
-    assert_non_null(strstr(plan.effects[EFFECT_PLASTICITY].reason, ": 2e-13 of the area"));
+    assert_non_null(strstr(plan.effects[EFFECT_PLASTICITY].reason, ": 2.5·10⁻¹¹ % of the area"));
     decide(INFINITY, INFINITY); /* beyond what can be computed with: no number is written so */
-    assert_string_equal(plan.effects[EFFECT_PLASTICITY].reason, "spots might bear up to 1.8e+308 times the hardness");
-    assert_string_equal(plan.effects[EFFECT_SCALE_DEPENDENT].reason, "(8/3π) λmfp/a raises TCR by up to 1.8e+308");
+    assert_string_equal(plan.effects[EFFECT_PLASTICITY].reason, "spots might bear up to 1.8·10³⁰⁸ times the hardness");
+    assert_string_equal(plan.effects[EFFECT_SCALE_DEPENDENT].reason, "(8/3π) λmfp/a raises TCR by up to 1.8·10³⁰⁸ %");
     scene.effects_auto = false; /* listed: run */
     decide(0, 0);
     assert_true(plan_runs(&plan, EFFECT_PLASTICITY) && plan_runs(&plan, EFFECT_SCALE_DEPENDENT));
