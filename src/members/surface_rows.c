@@ -111,18 +111,23 @@ static enum status_code average(struct surface_record *record, const struct prof
     return keep_preview(record, profile, status);
 }
 
-/** A seed from the first heights of a row as measured (FNV-1a), so that neither the file's name nor conditioning
- * changes it. */
-static uint64_t seed_of(const struct scan *scan, size_t row)
+/** Hash (FNV-1a) of where heights rise, from the first to the last or (`back`) the other way. */
+static uint64_t hash_rises(const double *height_m, size_t points, bool back)
 {
-    enum { HEIGHTS = 64 };
-    uint64_t hash = UINT64_C(0xcbf29ce484222325), bits;
-    for (size_t i = 0; i < scan->nx && i < HEIGHTS; i++) {
-        memcpy(&bits, &scan->z_m[row * scan->nx + i], sizeof bits);
-        for (int byte = 0; byte < 8; byte++)
-            hash = (hash ^ (bits >> 8 * byte & 0xff)) * UINT64_C(0x100000001b3);
+    uint64_t hash = UINT64_C(0xcbf29ce484222325);
+    for (size_t i = 1; i < points; i++) {
+        const double *at = &height_m[back ? points - 1 - i : i];
+        hash = (hash ^ (uint64_t)(*at > at[back ? 1 : -1])) * UINT64_C(0x100000001b3);
     }
     return hash;
+}
+
+/** A seed from a row as measured, which neither the file's name nor conditioning changes, nor other units or another
+ * direction of travel: the same scan has the same surrogates. */
+static uint64_t seed_of(const struct scan *scan, size_t row)
+{
+    const double *height_m = &scan->z_m[row * scan->nx];
+    return hash_rises(height_m, scan->nx, false) + hash_rises(height_m, scan->nx, true);
 }
 
 /** Adds one profile, a row of a scan, to the mean, to the spectra for the law, to the variants, and as a member. `had`:
