@@ -263,7 +263,8 @@ static bool beyond_hardness(struct claims *c)
     put_text(c, "label", model->label);
     put_number(c, "area", model->largest_area, 100 * model->largest_area, 2, "%");
     c->key = yields ? "beyond-hardness" : "beyond-model";
-    return isnan(answer(c, c->i, QUANTITY_AREA)) && (yields || (model->ends && summary_of(c, c->i)->models[c->leading]->exists));
+    return isnan(answer(c, c->i, QUANTITY_AREA)) &&
+           (yields || (model->ends && surface_model(summary_of(c, c->i), c->leading)->exists));
 }
 
 /** How many spots carry the answer's load, in proportion to the load: those counted on a map that leads, else the
@@ -418,8 +419,8 @@ static bool gaps_conduct(const struct claims *c)
 }
 
 /** Does the ranking agree with the table? Not where gaps carry heat beside the spots that are ranked, nor where a
- * number there is measured or a bound, nor where a surface that is not ranked, as its scatter is unknown, is better than
- * the first. */
+ * number there is measured or a bound, nor where a surface that is not ranked, as its scatter is unknown, is better
+ * than the first. */
 static bool ranking_holds(const struct claims *c)
 {
     const struct comparison *ranking = c->comparison;

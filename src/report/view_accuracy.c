@@ -49,7 +49,7 @@ static void put_change(json_t *item, const struct view_source *source, enum effe
 {
     const double of = accuracy_effect_factor(source->results, effect, source->asked.quantity),
                  factor = source->asked.reciprocal ? 1 / of : of;
-    const bool alike = fabs(factor - 1) < 5e-3;
+    const bool alike = fabs(factor - 1) < 0.1; /* of which two digits of a factor say little */
     view_flag(item, "adds", effect_rows[effect].adds);
     view_flag(item, "studies", effect_rows[effect].studies);
     json_set(item, alike ? "change" : "factor", alike ? factor - 1 : factor);
