@@ -60,18 +60,6 @@ static enum status_code centre_heights(struct direct_contact *contact, struct st
     return STATUS_OK;
 }
 
-enum status_code direct_contact_lay(struct direct_contact *contact, const double *height_m, struct status *status)
-{
-    const struct direct_kernel *kernel = &contact->kernel;
-    assert(!contact->coarse);
-    if (contact->response)
-        memset(contact->response, 0, kernel->stride * sizeof *contact->response);
-    for (size_t j = 0; j < kernel->ny; j++)
-        memcpy(contact->height_m + j * kernel->stride, height_m + j * kernel->nx, kernel->nx * sizeof *height_m);
-    contact->solved = false;
-    return centre_heights(contact, status);
-}
-
 /** A grid of every second point, if enough are left and they are not flat. */
 static enum status_code make_coarse(struct direct_contact *out, const double *height_m, struct status *status)
 {
@@ -120,7 +108,9 @@ enum status_code direct_contact_make(struct direct_contact *out, const double *h
     if (!out->height_m || !out->pressure || !out->gap_m || !out->direction || !out->set || !out->member ||
         !out->taken || !out->rows || (ny == 1 && !out->response))
         (void)status_memory(status);
-    if (status->code == STATUS_OK && direct_contact_lay(out, height_m, status) == STATUS_OK)
+    for (size_t j = 0; j < ny && status->code == STATUS_OK; j++)
+        memcpy(out->height_m + j * out->kernel.stride, height_m + j * grid->nx, grid->nx * sizeof *height_m);
+    if (status->code == STATUS_OK && centre_heights(out, status) == STATUS_OK)
         (void)make_coarse(out, height_m, status);
     if (status->code != STATUS_OK)
         direct_contact_free(out);

@@ -53,9 +53,6 @@ struct direct_contact_load {
  * is not finite, or a flat surface. */
 MUST_CHECK enum status_code direct_contact_make(struct direct_contact *out, const double *height_m,
                                                 const struct direct_grid *grid, struct status *status);
-/** Other heights on the grid of a strip, whose plans are kept. Error: STATUS_MODEL, as above. */
-MUST_CHECK enum status_code direct_contact_lay(struct direct_contact *contact, const double *height_m,
-                                               struct status *status);
 void direct_contact_free(struct direct_contact *contact);
 
 /** Solves for one load. Method: Polonsky and Keer, Wear 231 (1999) 206, with points that violate a condition in one set

@@ -5,7 +5,9 @@
 #include "results/comparison.h"
 #include <math.h>
 
-double known_carried(const struct results *results, enum quantity quantity, size_t surface)
+/** The factor on a surface's predicted conductance that its measurement of this quantity gives, 1: none was measured,
+ * or the scene does not carry it. */
+static double carried_factor(const struct results *results, enum quantity quantity, size_t surface)
 {
     const struct measured *measured = results_measured(results, surface);
     const struct estimate *fit = measured ? &results->answers[surface].fit : NULL;
@@ -53,7 +55,7 @@ static bool follows(struct known *out, const struct results *results, enum quant
 struct known known_value(const struct results *results, enum quantity quantity, size_t surface)
 {
     const size_t leading = plan_leading_model(results->plan);
-    const double carried = known_carried(results, quantity, surface),
+    const double carried = carried_factor(results, quantity, surface),
                  model = comparison_middle(results, leading, surface).value[quantity];
     const struct estimate *estimate = results_estimate(results, surface, quantity);
     struct known out = {isfinite(model) ? KNOWN_VALUE : KNOWN_NOTHING,

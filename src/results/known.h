@@ -33,8 +33,5 @@ int known_digits(const struct known *known);
 void known_check_limits(struct results *results, size_t surface);
 /** The load at which a target is met, by the leading model or the measurement. */
 struct known known_load(const struct results *results, const struct scene_asked *target, size_t surface);
-/** The factor on a surface's predicted conductance that its measurement of this quantity gives, 1: none was measured,
- * or the scene does not carry it. */
-double known_carried(const struct results *results, enum quantity quantity, size_t surface);
 
 #endif

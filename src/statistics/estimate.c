@@ -89,7 +89,8 @@ double estimate_value(const struct estimate *estimate)
     return estimate->logarithmic ? exp(estimate->mean) : estimate->mean;
 }
 
-bool estimate_has_width(const struct estimate *estimate, double half_width)
+/** Is a half-width known and more than rounding? */
+static bool has_width(const struct estimate *estimate, double half_width)
 {
     static const double least = 1e-6; /* relative: what models are solved to */
     return half_width > least * (estimate->logarithmic ? 1 : fabs(estimate->mean));
@@ -97,7 +98,7 @@ bool estimate_has_width(const struct estimate *estimate, double half_width)
 
 static double end(const struct estimate *estimate, double half_width, int side)
 {
-    if (!estimate_has_width(estimate, half_width))
+    if (!has_width(estimate, half_width))
         return NAN;
     if (estimate->model_sd > 0) {
         double s = estimate->s * (half_width / estimate->half_width), both = hypot(s, estimate->model_sd);

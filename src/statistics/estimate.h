@@ -41,8 +41,6 @@ struct estimate estimate_of_error(double value, double s, double degrees);
 
 /** The number itself: exp(mean) where logarithmic. */
 double estimate_value(const struct estimate *estimate);
-/** Is a half-width known and more than rounding? */
-bool estimate_has_width(const struct estimate *estimate, double half_width);
 /** Low (0) or high (1) end of the interval of the surface's value, with the error of the model: v = s² + m², with
  * v²/(s^4/f) degrees of freedom, as m is known (Satterthwaite 1946, doi:10.2307/3002019). NaN: not known, or no
  * scatter. */

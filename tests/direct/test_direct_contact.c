@@ -423,36 +423,6 @@ TEST_CASE(convolutions_of_an_iteration)
     }
 }
 
-/** Other heights laid on a strip's grid are solved as if it were new, of complete contact too, which leaves no
- * response.
- */
-TEST_CASE(laid_anew)
-{
-    enum { N = 256 };
-    static const double mean[] = {1, 0.03, 0.01};
-    double height[2][N];
-    for (size_t k = 0; k < 2; k++)
-        for (size_t i = 0; i < N; i++)
-            height[k][i] =
-                0.01 * cos(2 * M_PI * (double)((3 + k) * i) / N) + 0.004 * sin(2 * M_PI * (double)(17 * i) / N);
-    struct direct_contact again = contact_of(height[0], N, 1), fresh = contact_of(height[1], N, 1);
-    for (size_t k = 0; k < 2; k++) {
-        for (size_t i = 0; i < 3; i++)
-            for (int which = (int)k; which >= 0; which--) {
-                struct direct_contact *contact = which ? &fresh : &again;
-                struct direct_contact_load load = {mean[i], INFINITY, 1e-6, true, NULL};
-                expect_ok(direct_contact_solve, contact, &load);
-                (void)constriction_of(contact, 1e-6);
-            }
-        if (k == 0)
-            expect_ok(direct_contact_lay, &again, height[1]);
-        else
-            assert_memory_equal(again.pressure, fresh.pressure, N * sizeof(double));
-    }
-    direct_contact_free(&again);
-    direct_contact_free(&fresh);
-}
-
 /** A mirrored grid is in contact as its images are: pressures, and all that is counted of it, also from a coarse grid.
  */
 TEST_CASE(mirror_images)
