@@ -301,30 +301,46 @@ static bool few_spots(struct claims *c)
     return put_names(c, &spots.on);
 }
 
-/** Does the voltage over a spot soften a metal there, or melt it: the softer body, or the plating? */
-static bool heated(struct claims *c)
+/** The least voltage over a spot of surface `surface` that softens a metal there, or (`melts`) melts it: the softer
+ * body, or the plating. INFINITY: none is known. */
+static double heat_limit(const char **metal, const struct claims *c, size_t surface, bool melts)
 {
     const struct joint *joint = &c->results->scene->joint;
     const char *plating = joint_plating_names[joint->plating], *word = strrchr(plating, ' '); /* of "hard gold" */
-    const char *const metals[] = {scene_softer(&summary_of(c, c->i)->scene->bodies)->name, word ? word + 1 : plating};
-    const double voltage_V = known_value(c->results, QUANTITY_VOLTAGE, c->i).value;
-    const char *softest = "";
-    double melting_V = INFINITY, limit_V = INFINITY;
+    const char *const metals[] = {scene_softer(&summary_of(c, surface)->scene->bodies)->name,
+                                  word ? word + 1 : plating};
+    double limit_V = INFINITY;
     for (size_t k = 0; k < sizeof metals / sizeof *metals; k++) {
-        const struct heating_metal *metal = heating_metal_find(metals[k]);
-        const double melts_V = metal ? heating_voltage(metal->melting_K, joint->temperature_K) : INFINITY,
-                     own_V = metal && !c->row->melts ? metal->softening_voltage_V : melts_V;
-        melting_V = fmin(melting_V, melts_V);
+        const struct heating_metal *known = heating_metal_find(metals[k]);
+        const double own_V = !known  ? INFINITY
+                             : melts ? heating_voltage(known->melting_K, joint->temperature_K)
+                                     : known->softening_voltage_V;
         if (own_V < limit_V) {
             limit_V = own_V;
-            softest = metals[k];
+            *metal = metals[k];
         }
     }
+    return limit_V;
+}
+
+/** Does a metal melt there? */
+static bool molten(const struct claims *c, size_t surface)
+{
+    const char *metal;
+    return known_value(c->results, QUANTITY_VOLTAGE, surface).value >= heat_limit(&metal, c, surface, true);
+}
+
+/** Does the voltage over a spot soften a metal there, or melt it? */
+static bool heated(struct claims *c)
+{
+    const char *metal = "";
+    const double voltage_V = known_value(c->results, QUANTITY_VOLTAGE, c->i).value,
+                 limit_V = heat_limit(&metal, c, c->i, c->row->melts);
     put(c, "voltage", voltage_V);
     put(c, "limit", limit_V);
-    put(c, "current", joint->current_A);
-    put_text(c, "metal", softest);
-    return voltage_V >= limit_V && (c->row->melts || voltage_V < melting_V);
+    put(c, "current", c->results->scene->joint.current_A);
+    put_text(c, "metal", metal);
+    return voltage_V >= limit_V && (c->row->melts || !molten(c, c->i));
 }
 
 /** Does a filler, which has a thickness of its own, fill the gaps? */
@@ -802,7 +818,9 @@ static double share_of(const struct claims *c, size_t surface)
     case EFFECT_SHAPE:
         return carrying > 0 && !nothing_touches(c, surface) ? 1e6 * carrying * scene->nominal_area_m2 : NAN;
     default:
-        return known_value(c->results, QUANTITY_TEMPERATURE, surface).value - scene->joint.temperature_K;
+        return molten(c, surface)
+                   ? NAN
+                   : known_value(c->results, QUANTITY_TEMPERATURE, surface).value - scene->joint.temperature_K;
     }
 }
 
