@@ -34,7 +34,8 @@ if(ROUGHCONTACT_SANITIZE)
     target_link_options(roughcontact_warnings INTERFACE -fsanitize=address,undefined)
 endif()
 if(ROUGHCONTACT_FUZZ)
-    target_compile_options(roughcontact_warnings INTERFACE -fsanitize=fuzzer-no-link -g
+    # no -g, which takes a fifth of the building: what is found is run again by fuzz/test_fuzz_corpus
+    target_compile_options(roughcontact_warnings INTERFACE -fsanitize=fuzzer-no-link
                            -fsanitize-coverage-ignorelist=${CMAKE_SOURCE_DIR}/tests/fuzz/not-traced.txt)
 endif()
 if(ROUGHCONTACT_THREAD_SANITIZE)
