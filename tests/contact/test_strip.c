@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The strip transfer: what is known of it in closed form, and what has to hold whatever the heights. */
 #include "contact/corrected_persson.h"
+#include "contact/model.h"
 #include "contact/strip.h"
 #include "direct/direct_ladder.h"
 #include "direct/direct_surface.h"
@@ -251,6 +252,32 @@ static void errors(double rms[3], const struct strip *strip, const struct persso
     }
     for (int q = 0; q < 3; q++)
         rms[q] = sqrt(rms[q]);
+}
+
+/** What was prepared for a surface serves it, and no other. */
+TEST_CASE(prepared_for_a_surface)
+{
+    enum { LOADS = 5 };
+    struct material_pair pair = model_support_tin();
+    double *height = gaussian_rows(ROWS, 3), load[LOADS];
+    struct strip strip = solved(&(struct strip_rows){height, ROWS, POINTS, 1e-6, true, NULL, 0.6}, 2);
+    struct spectrum spectrum[2] = {model_support_spectrum(height, ROWS, POINTS, 1e-6),
+                                   model_support_law(POINTS * 1e-6, 0.05, 1.4, 100)};
+    struct prepared_strip prepared = {.strip = NULL};
+    model_support_loads(load, LOADS, 1e-7, 1e-3); /* below the nodes too */
+    for (int s = 0; s < 2; s++) {
+        struct contact_point points[2][LOADS + 1];
+        struct model_task task = model_support_task(&spectrum[s], &pair, load, LOADS);
+        task.strip = &strip;
+        if (s == 0)
+            expect_ok(model_strips_prepare, &prepared, &task);
+        for (int known = 0; known < 2; known++) {
+            task.prepared = known ? &prepared : NULL;
+            assert_true(model_support_run(points[known], "strip", &task).exists);
+        }
+        assert_memory_equal(points[0], points[1], LOADS * sizeof *points[0]);
+    }
+    strip_nodes_free(&prepared.nodes);
 }
 
 /** Two surfaces of one spectrum solved directly, Gaussian and with deep pits, against five of their rows. */
