@@ -247,6 +247,12 @@ double table_number(const struct table *table, size_t row, const char *column)
     return strtod(table_text(table, row, column), NULL);
 }
 
+size_t support_number(const char *name, size_t usual)
+{
+    const char *said = getenv(name);
+    return said ? strtoul(said, NULL, 10) : usual;
+}
+
 void support_pause(void)
 {
     nanosleep(&(const struct timespec){.tv_nsec = 5000000}, NULL);

@@ -28,10 +28,12 @@ char *scene_file_path(const struct scene *scene, const char *file)
 
 enum status_code scene_files_add(struct scene_files *files, const char *file, struct status *status)
 {
-    char **path = reallocarray(files->path, files->count + 1, sizeof *path);
-    if (!path)
-        return status_memory(status);
-    files->path = path;
+    if ((files->count & (files->count - 1)) == 0) { /* full at 0, 1, 2, 4, 8 */
+        char **path = reallocarray(files->path, 2 * files->count + 1, sizeof *path);
+        if (!path)
+            return status_memory(status);
+        files->path = path;
+    }
     if (!(files->path[files->count] = strdup(file)))
         return status_memory(status);
     files->count++;

@@ -132,13 +132,18 @@ TEST_IN_WORKSPACE(every_row_holds)
     make_folder(place);
     read_rows();
     const json_t *claims[ROWS_MOST];
+    size_t scenes = 0, every = support_number("ROUGHCONTACT_EVERY", 1);
     for (size_t i = 0; i < line_count; i++) {
         const char *scene = lines[i][1];
         size_t same = 0; /* the first row of this scene, which runs it */
         while (strcmp(lines[same][1], scene) != 0)
             same++;
-        if (same == i)
-            expect_list(claims[i] = claims_of(place, scene));
+        if (same == i) {
+            claims[i] = scenes++ % every == 0 ? claims_of(place, scene) : NULL;
+            expect_list(claims[i]);
+        }
+        if (!claims[same])
+            continue;
         const bool wanted = strcmp(lines[i][2], "-") != 0;
         const char *text = said(claims[same], lines[i][0], wanted ? lines[i][2] : "");
         if ((text != NULL) != wanted)

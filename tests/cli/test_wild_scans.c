@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Folders of random scans and scenes from fixed seeds: the program ends with 0, 1, 3 or 4, reports no fault of its own,
  * and writes no NaN or infinity. Each value of each key is in at least one of them. ROUGHCONTACT_WILD=10000 makes that
- * many, ROUGHCONTACT_WILD_FIRST=17 begins with that seed, ROUGHCONTACT_WILD_EVERY=3 takes each third. */
+ * many, ROUGHCONTACT_WILD_FIRST=17 begins with that seed, ROUGHCONTACT_EVERY=3 takes each third. */
 #include "cli/process.h"
 #include "hard_case.h"
 #include "scene/scene_source.h"
@@ -146,16 +146,11 @@ static void expect_reported_or_refused(const char *place, size_t seed)
         assert_true(workspace_expect_numbers(place, "out") > 5);
 }
 
-static size_t number_of(const char *name, size_t usual)
-{
-    const char *said = getenv(name);
-    return said ? strtoul(said, NULL, 10) : usual;
-}
-
 TEST_WITH(folders_are_reported_or_refused, directory_setup, directory_teardown)
 {
-    size_t first = number_of("ROUGHCONTACT_WILD_FIRST", 1), count = number_of("ROUGHCONTACT_WILD", 2 * wild_values());
-    size_t every = number_of("ROUGHCONTACT_WILD_EVERY", 1);
+    size_t first = support_number("ROUGHCONTACT_WILD_FIRST", 1),
+           count = support_number("ROUGHCONTACT_WILD", 2 * wild_values());
+    size_t every = support_number("ROUGHCONTACT_EVERY", 1);
     for (size_t seed = first; seed < first + count; seed += every) {
         expect_reported_or_refused(*state, seed);
         assert_true(directory_teardown(state) == 0 &&

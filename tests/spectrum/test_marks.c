@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* How often a line is seen where there are marks, and where there are none: some ten thousand made-up files. */
+/* How often a line is seen where there are marks, and where there are none: some twenty thousand made-up files. */
 #include "base/fft.h"
 #include "profile/synth.h"
 #include "spectrum/multitaper.h"
@@ -50,17 +50,18 @@ static void draw(double height_m[LONG], const struct kind *kind, struct fft_room
     }
 }
 
-/* Does the mean spectrum of so many profiles have a line; where `feed` is given, at that? */
-static bool has_line(const struct kind *kind, size_t scans, struct fft_room *room, gsl_rng *random)
+/* How many of how many sets of scans have a line, of one scan, 3, 10, 100 and 1000, all out of the same profiles. */
+enum { COUNTS = 5, PROFILES = 1000 };
+static const size_t scans_of[COUNTS] = {1, 3, 10, 100, 1000}, sets_of[COUNTS] = {400, 200, 50, 5, 1};
+
+/* Does the mean of so many profiles' spectra have a line; where `feed` is given, at that? */
+static bool has_line(const struct kind *kind, double (*of_profile_m2)[LONG], size_t scans)
 {
-    double height_m[LONG], own_m2[LONG], square_m2[LONG] = {0}, line_m[LOG_BIN_MOST];
+    double square_m2[LONG] = {0}, line_m[LOG_BIN_MOST];
     size_t count = multitaper_count(LONG);
-    for (size_t m = 0; m < scans; m++) {
-        draw(height_m, kind, room, random);
-        expect_ok(multitaper_square, own_m2, height_m, LONG);
+    for (size_t m = 0; m < scans; m++)
         for (size_t n = 0; n < count; n++)
-            square_m2[n] += own_m2[n] / (double)scans;
-    }
+            square_m2[n] += of_profile_m2[m][n] / (double)scans;
     const struct power_law_band_spectrum spectrum = {square_m2, count, LONG, (double)scans, 0};
     struct power_law_band band;
     expect_ok(power_law_band_find, &band, &spectrum);
@@ -71,16 +72,20 @@ static bool has_line(const struct kind *kind, size_t scans, struct fft_room *roo
     return found;
 }
 
-/* How many of how many sets of scans have a line, of one scan, 3, 10, 100 and 1000. */
-enum { COUNTS = 5 };
-static const size_t scans_of[COUNTS] = {1, 3, 10, 100, 1000}, sets_of[COUNTS] = {400, 200, 50, 5, 1};
-
-static size_t sets_with_a_line(const struct kind *kind, int count, struct fft_room *room, gsl_rng *random)
+static void count_sets_with_a_line(size_t found[COUNTS], const struct kind *kind, struct fft_room *room,
+                                   gsl_rng *random)
 {
-    size_t found = 0;
-    for (size_t set = 0; set < sets_of[count]; set++)
-        found += has_line(kind, scans_of[count], room, random);
-    return found;
+    static double square_m2[PROFILES][LONG];
+    double height_m[LONG];
+    for (size_t i = 0; i < PROFILES; i++) {
+        draw(height_m, kind, room, random);
+        expect_ok(multitaper_square, square_m2[i], height_m, LONG);
+    }
+    for (int count = 0; count < COUNTS; count++) {
+        found[count] = 0;
+        for (size_t set = 0; set < sets_of[count]; set++)
+            found[count] += has_line(kind, square_m2 + set * scans_of[count], scans_of[count]);
+    }
 }
 
 /* Without marks at most 2 % of files have a line, whatever their number of scans and however sharply their spectrum
@@ -109,12 +114,14 @@ TEST_CASE(test_no_lines_without_marks)
     struct fft_room room;
     assert_true(fft_room_make(&room, CUT_FROM * LONG));
     size_t all[COUNTS] = {0};
-    for (int k = 0; k < KINDS; k++)
+    for (int k = 0; k < KINDS; k++) {
+        size_t found[COUNTS];
+        count_sets_with_a_line(found, &kinds[k], &room, random);
         for (int count = 0; count < COUNTS; count++) {
-            size_t found = sets_with_a_line(&kinds[k], count, &room, random);
-            assert_true(found <= (sets_of[count] + 24) / 50); /* 2 %, to the nearest file */
-            all[count] += found;
+            assert_true(found[count] <= (sets_of[count] + 24) / 50); /* 2 %, to the nearest file */
+            all[count] += found[count];
         }
+    }
     for (int count = 0; count < COUNTS; count++)
         assert_true(50 * all[count] <= KINDS * sets_of[count]);
     fft_room_free(&room);
@@ -137,8 +144,11 @@ TEST_CASE(test_marks_of_a_turned_surface)
     gsl_rng *random = support_random();
     struct fft_room room;
     assert_true(fft_room_make(&room, CUT_FROM * LONG));
-    for (size_t k = 0; k < sizeof turned / sizeof *turned; k++)
+    for (size_t k = 0; k < sizeof turned / sizeof *turned; k++) {
+        size_t found[COUNTS];
+        count_sets_with_a_line(found, &turned[k].kind, &room, random);
         for (int count = 0; count < COUNTS; count++)
-            assert_true(sets_with_a_line(&turned[k].kind, count, &room, random) >= turned[k].least[count]);
+            assert_true(found[count] >= turned[k].least[count]);
+    }
     fft_room_free(&room);
 }
