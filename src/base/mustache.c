@@ -216,7 +216,7 @@ static enum status_code render_value(struct render *render, const struct token *
         return status_fail(render->status, STATUS_USAGE, "'%s': no digits and unit: '%.*s'", render->name,
                            first_line(token->start, token->length), token->start);
     if (json_is_string(value))
-        text_add(&words, "%s", json_string_value(value));
+        text_add_bytes(&words, json_string_value(value), json_string_length(value));
     else if (json_is_integer(value) && !bar)
         text_add(&words, "%lld", (long long)json_integer_value(value));
     else if (json_is_real(value) && !bar)

@@ -43,7 +43,7 @@ void text_add(struct text *text, const char *format, ...)
     va_list args, again;
     va_start(args, format);
     va_copy(again, args);
-    size_t room = text->failed ? 0 : text->capacity - text->length;
+    size_t room = text_reserve(text, 200) ? text->capacity - text->length : 0; /* mostly enough: printed once */
     int length = vsnprintf(room ? text->data + text->length : NULL, room, format, args);
     va_end(args);
     if (length >= 0 && text_reserve(text, (size_t)length)) {
@@ -243,9 +243,10 @@ void text_add_csv(struct text *text, const char *string)
     text_add_shown(&shown, string);
     const char *all = text_string(&shown), *before = is_formula(all) ? "'" : "";
     text->failed = text->failed || shown.failed;
-    if (!strpbrk(all, ",;\""))
-        text_add(text, "%s%s", before, all);
-    else {
+    if (!strpbrk(all, ",;\"")) {
+        text_add_bytes(text, before, strlen(before));
+        text_add_bytes(text, all, strlen(all));
+    } else {
         text_add(text, "\"%s", before);
         for (; *all; all++) { /* where semicolons delimit, no quote within a line holds a cell together */
             text_add_bytes(text, all, 1);

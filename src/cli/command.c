@@ -2,6 +2,7 @@
 #include "cli/command.h"
 #include "base/temporary.h"
 #include "output/exchange.h"
+#include "output/record.h"
 #include "scene/scene_words.h"
 
 #include <errno.h>
@@ -148,8 +149,9 @@ int command_finish(int exit_status, const char *written)
 
 void command_json_print(json_t *json)
 {
-    bool printed = json && json_dumpf(json, stdout, JSON_INDENT(1) | JSON_REAL_PRECISION(17)) == 0;
-    status_lost |= !printed && !ferror(stdout); /* what could not be written command_finish() sees */
-    printf("\n");
+    struct text text = {0};
+    status_lost |= !json_text(&text, json);
+    printf("%s\n", text_string(&text)); /* what cannot be written command_finish() sees */
+    text_free(&text);
     json_decref(json);
 }

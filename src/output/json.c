@@ -402,19 +402,12 @@ json_t *json_outline(const struct results *results)
                      undecided);
 }
 
-static int keep(const char *bytes, size_t length, void *text)
-{
-    text_add_bytes(text, bytes, length);
-    return 0;
-}
-
 /** Adds one value; takes it over. */
 static bool dump(struct text *out, json_t *json)
 {
-    bool ok =
-        json && json_dump_callback(json, keep, out, JSON_INDENT(1) | JSON_REAL_PRECISION(17) | JSON_ENCODE_ANY) == 0;
+    bool ok = json_text(out, json);
     json_decref(json);
-    return ok && !out->failed;
+    return ok;
 }
 
 /** Prints one value behind `before`; takes it over. */
