@@ -929,7 +929,8 @@ static enum status_code write_map(const struct map_contact *contact, const struc
     for (size_t k = 0; k < cells * cells; k++) {
         if (k % cells == 0)
             text_add(&data, "\n%.6g", ((double)(k / cells) + 0.5) * cell);
-        text_add(&data, ",%.3g", contact->height_m[k] * 1e6);
+        text_add_bytes(&data, ",", 1);
+        number_digits(&data, contact->height_m[k] * 1e6, 3);
     }
     text_add(&data, "\n\n\n");
     for (size_t k = 0; k < cells * cells; k++)
