@@ -302,14 +302,15 @@ static bool few_spots(struct claims *c)
 }
 
 /** The least voltage over a spot of surface `surface` that softens a metal there, or (`melts`) melts it: the softer
- * body, or the plating. INFINITY: none is known. */
+ * body, or the plating; without a name the voltage that melts any metal. INFINITY: none is known. */
 static double heat_limit(const char **metal, const struct claims *c, size_t surface, bool melts)
 {
     const struct joint *joint = &c->results->scene->joint;
     const char *plating = joint_plating_names[joint->plating], *word = strrchr(plating, ' '); /* of "hard gold" */
     const char *const metals[] = {scene_softer(&summary_of(c, surface)->scene->bodies)->name,
                                   word ? word + 1 : plating};
-    double limit_V = INFINITY;
+    double limit_V = melts ? heating_voltage(HEATING_SOLID_MOST_K, joint->temperature_K) : INFINITY;
+    *metal = "";
     for (size_t k = 0; k < sizeof metals / sizeof *metals; k++) {
         const struct heating_metal *known = heating_metal_find(metals[k]);
         const double own_V = !known  ? INFINITY
@@ -333,7 +334,7 @@ static bool molten(const struct claims *c, size_t surface)
 /** Does the voltage over a spot soften a metal there, or melt it? */
 static bool heated(struct claims *c)
 {
-    const char *metal = "";
+    const char *metal;
     const double voltage_V = known_value(c->results, QUANTITY_VOLTAGE, c->i).value,
                  limit_V = heat_limit(&metal, c, c->i, c->row->melts);
     put(c, "voltage", voltage_V);

@@ -21,6 +21,7 @@ struct heating_metal {
     double softening_voltage_V; /* measured (Holm's table); NaN: not in it */
     double melting_K;           /* fixed points of the ITS-90 (Sn, Al, Ag, Au, Cu); nickel: handbook */
 };
+#define HEATING_SOLID_MOST_K 3695.0 /* tungsten: no metal melts higher (CRC handbook) */
 extern const struct heating_metal heating_metals[];
 extern const size_t heating_metal_count;
 
