@@ -85,22 +85,18 @@ struct asked asked_of(const struct results *results)
     struct asked out = {.scale = 1};
     double area_m2 = scene->nominal_area_m2;
     char unit[UNIT_LENGTH];
-    for (size_t t = 0; t < scene->target_count && !out.target; t++)
-        if (quantity_unit(scene->targets[t].quantity).offset ==
-            0) /* of a scale with a zero of its own no ratio tells */
-            out.target = &scene->targets[t];
-    out.quantity = out.target          ? out.target->quantity
-                   : results->measured ? results_measured_quantity(results)
-                                       : quantity_first(plan_quantities(results->plan));
+    bool is_target;
+    const struct scene_asked *said = results_asked(results, &is_target);
+    out.target = is_target ? said : NULL;
+    out.quantity = results_asked_quantity(results);
     const struct quantity_row *row = &quantity_rows[out.quantity];
-    const struct quantity_asked *how =
-        out.target ? out.target->how : &row->asked[!results->measured && row->asked[1].key];
+    const struct quantity_asked *how = said ? said->how : &row->asked[!results->measured && row->asked[1].key];
     out.reciprocal = how->reciprocal;
     out.more_is_better = out.reciprocal != ((row->is & QUANTITY_RISES) > 0);
     snprintf(out.name, sizeof out.name, "asked.%s", out.reciprocal ? how->key : row->name);
-    if (out.target) {
-        out.scale = scene_asked_shown(out.target, 1);
-        asked_unit(out.unit, sizeof out.unit, out.target->unit_text);
+    if (said) {
+        out.scale = scene_asked_shown(said, 1);
+        asked_unit(out.unit, sizeof out.unit, said->unit_text);
     } else if (how->total && isfinite(area_m2)) {
         out.scale = 1 / area_m2;
         asked_unit(unit, sizeof unit, unit_si(how->total));

@@ -18,8 +18,7 @@ struct asked {
     char unit[64]; /* may come from the scene; "": a ratio */
 };
 
-/** The first target's quantity; else what was measured; else the joint's conductance where gaps are filled or only heat
- * flows; else ECR; else TCR; else the area. In mohm, K/W where the nominal area is known. */
+/** Of results_asked_quantity(); in the scene's unit, else in mohm, K/W where the nominal area is known. */
 struct asked asked_of(const struct results *results);
 /** A value of its quantity as it is shown. */
 double asked_shown(const struct asked *asked, double value);

@@ -141,11 +141,39 @@ const struct direct_study *results_direct_baseline(const struct results *results
     return NULL;
 }
 
+static const struct scene_asked *first_ratio(const struct scene_asked *asked, size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        if (quantity_unit(asked[i].quantity).offset == 0)
+            return &asked[i];
+    return NULL;
+}
+
+const struct scene_asked *results_asked(const struct results *results, bool *is_target)
+{
+    const struct scene *scene = results->scene;
+    const struct scene_asked *target = first_ratio(scene->targets, scene->target_count);
+    *is_target = target != NULL;
+    return target || results->measured ? target : first_ratio(scene->limits, scene->limit_count);
+}
+
+enum quantity results_asked_quantity(const struct results *results)
+{
+    bool is_target;
+    const struct scene_asked *asked = results_asked(results, &is_target);
+    return asked               ? asked->quantity
+           : results->measured ? results_measured_quantity(results)
+                               : quantity_first(plan_quantities(results->plan));
+}
+
 enum quantity results_criterion(const struct results *results)
 {
     unsigned computed = plan_quantities(results->plan);
+    const enum quantity asked = results_asked_quantity(results);
     for (enum quantity q = 0; q < QUANTITY_COUNT; q++)
         computed &= quantity_rows[q].from ? ~QUANTITY_BIT(q) : ~0U;
+    if (asked == QUANTITY_TCR || (quantity_rows[asked].from & QUANTITY_BIT(QUANTITY_TCR)))
+        computed &= ~QUANTITY_BIT(QUANTITY_ECR);
     return quantity_first(computed);
 }
 

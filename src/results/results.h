@@ -55,7 +55,14 @@ const double *results_loads(const struct results *results, size_t surface);
 double results_operating_load(const struct results *results, size_t surface);
 /** What was asked of a surface. */
 struct surface_task results_task(const struct results *results, size_t surface);
-/** What surfaces are held against each other by: ECR where the run computes it, else TCR, else the area. */
+/** The target that comes first, or where there is none and nothing is measured, the limit; NULL: neither. Those of a
+ * scale with a zero of its own (degrees Celsius), on which no ratio tells, are passed over. */
+const struct scene_asked *results_asked(const struct results *results, bool *is_target);
+/** The first target's quantity; else what was measured; else the first limit's; else the joint's conductance where gaps
+ * are filled or only heat flows; else ECR; else TCR; else the area. */
+enum quantity results_asked_quantity(const struct results *results);
+/** What surfaces are held against each other by: ECR where the run computes it and not heat is asked for, else TCR,
+ * else the area. */
 enum quantity results_criterion(const struct results *results);
 /** That number of a surface in the leading model where the summary stands, less is better; INFINITY: it has none. */
 double results_cost(const struct results *results, size_t surface);

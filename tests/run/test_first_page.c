@@ -150,6 +150,30 @@ TEST_IN_PLACE(test_area_that_is_load_over_hardness)
     }
 }
 
+/* Without a target the page speaks of the first limit's quantity and ranks by it; of heat by TCR. */
+TEST_IN_PLACE(a_limit_says_what_is_asked)
+{
+    static const struct {
+        const char *asked, *head, *quantity;
+    } rows[] = {
+        {"", "| contact resistance at 10.0\u00a0N (", "ecr_ohm_m2"},
+        {"limits: {ecr: {most: 1 mohm}}\n", "| contact resistance at 10.0\u00a0N (", "ecr_ohm_m2"},
+        {"limits: {tcr: {most: 20 mm2 K/W}}\n", "| thermal contact resistance at 10.0\u00a0N (mm² K/W, ", "tcr_K_m2_per_W"},
+        {"limits: {conductance: {least: 1 kW/m2/K}}\n", "| contact conductance at 10.0\u00a0N (kW/", "tcr_K_m2_per_W"},
+        {"limits: {area: {most: 5 %}}\n", "| contact area at 10.0\u00a0N (%", "ecr_ohm_m2"},
+        {"limits: {tcr: {most: 20 mm2 K/W}}\ntargets: [{ecr: 1 mohm}]\n", "| contact resistance at 10.0\u00a0N (mΩ, ",
+         "ecr_ohm_m2"}};
+    for (size_t r = 0; r < sizeof rows / sizeof *rows; r++) {
+        expect_parts(page_of(place, filled("material: copper\nnominal_area: 1 mm2\nmodels: [corrected-persson]\n"
+                                           "load: {from: 1 N, to: 100 N, points: 9}\noperating_load: 10 N\n%s",
+                                           rows[r].asked)),
+                     rows[r].head);
+        json_t *results = directory_json(place, "out/results.json");
+        assert_string_equal(json_string_value(json_object_get(json_object_get(results, "comparison"), "quantity")),
+                            rows[r].quantity);
+    }
+}
+
 /** "Models differ on roughness" is said only of surfaces that differ in roughness, not of eight sets of equally rough
  * ones, whose Rq differs by chance. */
 TEST_IN_PLACE(test_order_by_roughness)
