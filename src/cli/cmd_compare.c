@@ -47,22 +47,21 @@ int command_compare(int argc, char **argv)
 {
     struct arguments arguments = {0};
     struct status status = {0};
-    struct text templates = {0}, words = {0}, page = {0};
+    struct text words = {0}, page = {0};
+    const char *templates = "";
     json_t *view = NULL;
     command_parse(&command_compare_argp, argc, argv, &arguments);
     enum status_code rc = report_compare(&view, arguments.outs, arguments.count, &status);
-    if (rc == STATUS_OK && arguments.format != JSON &&
-        (rc = command_share(&templates, "templates", &status)) == STATUS_OK)
-        rc = report_terminal(&words, "compare", view, text_string(&templates), arguments.format >= MARKDOWN, &status);
+    if (rc == STATUS_OK && arguments.format != JSON && (rc = command_templates(&templates, &status)) == STATUS_OK)
+        rc = report_terminal(&words, "compare", view, templates, arguments.format >= MARKDOWN, &status);
     if (rc == STATUS_OK && arguments.format == HTML)
-        rc = html_render(&page, text_string(&words), "Reports compared", ".", text_string(&templates), &status);
+        rc = html_render(&page, text_string(&words), "Reports compared", ".", templates, &status);
     if (rc != STATUS_OK)
         json_object_set_new(view, "error", json_shown(status.message));
     if (arguments.format == JSON)
         command_json_print(json_incref(view));
     fputs(text_string(page.length > 0 ? &page : &words), stdout);
     text_free(&page);
-    text_free(&templates);
     text_free(&words);
     json_decref(view);
     return command_finish(rc == STATUS_OK ? COMMAND_DONE : command_fail(&status), NULL);

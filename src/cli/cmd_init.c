@@ -147,7 +147,8 @@ int command_init(int argc, char **argv)
     const char *directory = NULL;
     struct status status = {0};
     struct scene scene = {0};
-    struct text templates = {0}, text = {0};
+    struct text text = {0};
+    const char *templates = "";
     const struct scene_overrides empty = {.text = &(struct text){0}}; /* whatever scene there is */
     command_parse(&command_init_argp, argc, argv, &directory);
     enum status_code rc = scene_read(&scene, directory, &empty, &status);
@@ -156,13 +157,12 @@ int command_init(int argc, char **argv)
     if (rc == STATUS_OK && access(scene.path, F_OK) == 0) /* before all the scans are read */
         rc = status_fail(&status, STATUS_IO, "'%s' is there already; move it away", scene.path);
     if (rc == STATUS_OK)
-        rc = command_share(&templates, "templates", &status);
+        rc = command_templates(&templates, &status);
     if (rc == STATUS_OK)
-        rc = make_text(&text, &scene, text_string(&templates), &status);
+        rc = make_text(&text, &scene, templates, &status);
     if (rc == STATUS_OK)
         rc = command_write(scene.path, &text, true, &status);
     scene_free(&scene);
-    text_free(&templates);
     text_free(&text);
     return command_finish(rc == STATUS_OK ? COMMAND_DONE : command_fail(&status), NULL);
 }

@@ -82,7 +82,8 @@ static error_t parse(int key, char *value, struct argp_state *state)
 static enum status_code draw(const struct profile *profile, struct status *status)
 {
     enum { MOST = 400 }; /* points; no terminal shows more */
-    struct text letters = {0}, folder = {0}, script = {0};
+    struct text letters = {0}, script = {0};
+    const char *folder = "";
     struct chart chart = chart_make("profile");
     struct words words = {0};
     struct gnuplot gnuplot;
@@ -93,9 +94,9 @@ static enum status_code draw(const struct profile *profile, struct status *statu
     snprintf(size, sizeof size, "%d,%d", columns, rows > 24 ? 24 : rows - 1);
     if (temporary_make(&temporary, NULL, NULL, status) != STATUS_OK)
         return status->code;
-    enum status_code rc = command_share(&folder, "templates", status);
-    struct mustache_folder templates = {text_string(&folder), ".gp", NULL, status};
-    if (rc == STATUS_OK && (rc = words_read(&words, text_string(&folder), status)) == STATUS_OK) {
+    enum status_code rc = command_templates(&folder, status);
+    struct mustache_folder templates = {folder, ".gp", NULL, status};
+    if (rc == STATUS_OK && (rc = words_read(&words, folder, status)) == STATUS_OK) {
         chart_panel(&chart, words_say(&words, "inspect.profile"), words_say(&words, "inspect.profile.x"),
                     words_say(&words, "inspect.profile.y"), false, false);
         chart_curve(&chart,
@@ -118,7 +119,6 @@ static enum status_code draw(const struct profile *profile, struct status *statu
     chart_free(&chart);
     words_free(&words);
     mustache_folder_free(&templates);
-    text_free(&folder);
     text_free(&script);
     text_free(&letters);
     return rc;
@@ -251,11 +251,10 @@ int command_inspect(int argc, char **argv)
     struct arguments arguments = {.how = profile_defaults};
     command_parse(&command_inspect_argp, argc, argv, &arguments);
     struct status status = {0};
-    struct text templates = {0};
-    struct outcome outcome = {.all = json_array()};
-    if (!arguments.json && command_share(&templates, "templates", &status) != STATUS_OK)
+    const char *templates = "";
+    if (!arguments.json && command_templates(&templates, &status) != STATUS_OK)
         return command_finish(command_fail(&status), NULL);
-    outcome.templates = (struct mustache_folder){text_string(&templates), ".txt", NULL, &status};
+    struct outcome outcome = {.all = json_array(), .templates = {templates, ".txt", NULL, &status}};
     for (int i = 0; i < arguments.file_count && status.code == STATUS_OK; i++) {
         const char *path = arguments.files[i];
         struct stat info;
@@ -271,7 +270,6 @@ int command_inspect(int argc, char **argv)
     else
         command_json_print(outcome.all);
     mustache_folder_free(&outcome.templates);
-    text_free(&templates);
     if (status.code != STATUS_OK)
         return command_finish(command_fail(&status), NULL);
     return command_finish(outcome.refused == 0               ? COMMAND_DONE

@@ -2,6 +2,7 @@
 /* The commands on a scene, `report` and `plan`. */
 #include "base/clock.h"
 #include "base/threads.h"
+#include "base/version.h"
 #include "cli/command.h"
 #include "report/export.h"
 #include "run/messages.h"
@@ -150,6 +151,90 @@ static error_t parse_report(int key, char *value, struct argp_state *state)
     return 0;
 }
 
+/* ---- With --json (docs/commands.md) */
+
+/** The members that every object begins with. */
+static json_t *begin_json(const char *directory, const char *messages, int exit_status, const char *error)
+{
+    return json_pack("{s:s, s:s, s:o, s:i, s:s, s:o, s:o}", "program", "roughcontact", "version", version_string(),
+                     "directory", json_shown(directory), "exit_status", exit_status, "exit_reason",
+                     command_statuses[exit_status], "error", json_shown(error), "messages", json_lines(messages));
+}
+
+/** The path of results.json, beside the page. */
+static json_t *results_json(const char *page)
+{
+    struct text path = {0};
+    text_add(&path, "%.*s/results.json", (int)(strrchr(page, '/') - page), page);
+    json_t *json = json_shown(text_string(&path));
+    text_free(&path);
+    return json;
+}
+
+/** The outcome of a report on `directory`: `outcome` NULL where it did not begin, `error` NULL where it was written. */
+static void print_report(const struct run_outcome *outcome, const char *directory, int exit_status, const char *error)
+{
+    json_t *json = begin_json(directory, outcome ? text_string(&outcome->messages) : "", exit_status, error);
+    const char *path = outcome && !error ? outcome->path : NULL;
+    json_object_set_new(json, "report", json_shown(path));
+    json_object_set_new(json, "results", path ? results_json(path) : json_null());
+    if (outcome && outcome->outline)
+        json_object_update(json, outcome->outline);
+    if (outcome && !error)
+        json_object_set_new(json, "work", json_pack("{s:I}", "evaluations", (json_int_t)outcome->evaluations));
+    command_json_print(json);
+}
+
+static json_t *surfaces_json(const struct results *results)
+{
+    json_t *surfaces = json_array();
+    for (size_t i = 0; i < results->surface_count; i++) {
+        const struct surface_summary *s = &results->surfaces[i].summary;
+        json_array_append_new(surfaces, json_pack("{s:o, s:b, s:o}", "surface", json_shown(s->scene->name), "usable",
+                                                  s->usable, "refused", json_shown(s->refusal)));
+    }
+    return surfaces;
+}
+
+static json_t *effects_json(const struct results *results)
+{
+    struct work_row rows[WORK_ROWS];
+    json_t *effects = json_array();
+    work_account(rows, results);
+    for (int r = 0; r < WORK_ROWS; r++)
+        json_array_append_new(effects, json_pack("{s:s, s:b, s:o, s:s}", "effect", rows[r].name, "runs", rows[r].runs,
+                                                 "reason", json_shown(rows[r].reason), "changes", rows[r].changes));
+    return effects;
+}
+
+/** The plan of a report, and roughly how long it takes: `results` NULL where there is none, and `error` says why. */
+static void print_plan(const struct results *results, double rough_seconds, const char *directory, const char *messages,
+                       int exit_status, const char *error)
+{
+    json_t *json = begin_json(directory, messages, exit_status, results ? NULL : error);
+    json_t *models = json_array();
+    for (size_t m = 0; m < model_count && results; m++)
+        json_array_append_new(models, json_pack("{s:s, s:s, s:b, s:s}", "model", model_rows[m]->name, "label",
+                                                model_rows[m]->label, "runs", plan_runs_model(results->plan, m),
+                                                "valid", model_rows[m]->valid));
+    if (results) {
+        const struct scene *scene = results->scene;
+        json_object_set_new(json, "effects", effects_json(results));
+        json_object_set_new(json, "seconds", json_real(rough_seconds));
+        json_object_set(json, "models", models);
+        json_object_set_new(json, "surfaces", surfaces_json(results));
+        json_object_set_new(json, "material_known", json_boolean(results_has_material(results)));
+        json_object_set_new(json, "loads", json_integer((json_int_t)results->load_count));
+        json_object_set_new(json, "targets", json_integer((json_int_t)scene->target_count));
+        json_object_set_new(json, "tolerance", json_real(scene->tolerance));
+        json_object_set_new(json, "closure", json_string(sinusoid_fits[scene->closure].name));
+    }
+    json_decref(models);
+    command_json_print(json);
+}
+
+/* ---- On a terminal */
+
 /** A line that is overwritten: the stage and, from its first step on, the time left. */
 static void progress(const char *stage, const char *name, double done, double all)
 {
@@ -206,7 +291,7 @@ static int fail(const struct arguments *arguments, const struct run_outcome *out
 {
     int exit_status = command_fail(status);
     if (arguments->json)
-        scene_json_print_report(outcome, arguments->directory, exit_status, status->message);
+        print_report(outcome, arguments->directory, exit_status, status->message);
     return exit_status;
 }
 
@@ -246,7 +331,7 @@ static int report(char **written, struct arguments *arguments, struct scene *sce
             print_times(&outcome.times);
         }
         if (arguments->json)
-            scene_json_print_report(&outcome, arguments->directory, exit_status, NULL);
+            print_report(&outcome, arguments->directory, exit_status, NULL);
     }
     *written = outcome.path;
     outcome.path = NULL;
@@ -259,7 +344,6 @@ static int run(int argc, char **argv, const struct argp *argp, bool direct)
     struct arguments arguments = {.overrides.direct = direct};
     struct status status = {0};
     struct scene scene = {0};
-    struct text templates = {0};
     char *written = NULL;
     command_parse(argp, argc, argv, &arguments);
     enum status_code rc = scene_read(&scene, arguments.directory, &arguments.overrides, &status);
@@ -267,11 +351,9 @@ static int run(int argc, char **argv, const struct argp *argp, bool direct)
         rc = status_fail(&status, STATUS_USAGE,
                          "--check: the scene has no 'limits' to check; add them, or leave --check out");
     if (rc == STATUS_OK)
-        rc = command_share(&templates, "templates", &status);
-    arguments.run.templates = text_string(&templates);
+        rc = command_templates(&arguments.run.templates, &status);
     int exit_status = rc == STATUS_OK ? report(&written, &arguments, &scene, &status) : fail(&arguments, NULL, &status);
     scene_free(&scene);
-    text_free(&templates);
     exit_status = command_finish(exit_status, written);
     free(written);
     return exit_status;
@@ -341,12 +423,11 @@ int command_plan(int argc, char **argv)
     struct status status = {0};
     struct scene scene = {0};
     struct all_surfaces prepared = {0};
-    struct text messages = {0}, templates = {0}, table = {0};
+    struct text messages = {0}, table = {0};
     command_parse(&command_plan_argp, argc, argv, &arguments);
     enum status_code rc = scene_read(&scene, arguments.directory, &arguments.overrides, &status);
-    if (rc == STATUS_OK && (rc = command_share(&templates, "templates", &status)) == STATUS_OK)
-        rc = export_check(&scene, text_string(&templates), &status);
-    arguments.run.templates = text_string(&templates);
+    if (rc == STATUS_OK && (rc = command_templates(&arguments.run.templates, &status)) == STATUS_OK)
+        rc = export_check(&scene, arguments.run.templates, &status);
     if (rc == STATUS_OK)
         rc = all_surfaces_run(&prepared, &scene, &arguments.run, true, NULL, &status);
     const struct results *results = &prepared.results;
@@ -363,10 +444,9 @@ int command_plan(int argc, char **argv)
     size_t left_out = messages_left_out(&prepared);
     int exit_status = rc != STATUS_OK ? command_fail(&status) : refused + left_out > 0 ? COMMAND_REFUSED : COMMAND_DONE;
     if (arguments.json)
-        scene_json_print_plan(rc == STATUS_OK ? results : NULL, seconds, arguments.directory, text_string(&messages),
-                              exit_status, status.message);
+        print_plan(rc == STATUS_OK ? results : NULL, seconds, arguments.directory, text_string(&messages), exit_status,
+                   status.message);
     text_free(&messages);
-    text_free(&templates);
     text_free(&table);
     all_surfaces_free(&prepared);
     scene_free(&scene);

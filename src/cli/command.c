@@ -34,18 +34,19 @@ int command_fail(const struct status *status)
                                           : COMMAND_NOTHING;
 }
 
-enum status_code command_share(struct text *out, const char *name, struct status *status)
+enum status_code command_templates(const char **out, struct status *status)
 {
+    static char path[PATH_MAX + 40];
     char program[PATH_MAX];
     ssize_t length = readlink("/proc/self/exe", program, sizeof program - 1);
     if (length < 0)
         return status_fail(status, STATUS_IO, "cannot find the program's own place: %s", strerror(errno));
     program[length] = '\0';
-    text_add(out, "%s/share/roughcontact/%s", dirname(dirname(program)), name); /* beside bin */
-    if (access(text_string(out), R_OK) != 0)
-        return status_fail(status, STATUS_IO, "no %s in '%s'; install the program with cmake --install", name,
-                           text_string(out));
-    return STATUS_OK;
+    snprintf(path, sizeof path, "%s/share/roughcontact/templates", dirname(dirname(program))); /* beside bin */
+    *out = path;
+    return access(path, R_OK) == 0
+               ? STATUS_OK
+               : status_fail(status, STATUS_IO, "no templates in '%s'; install the program with cmake --install", path);
 }
 
 enum status_code command_write(const char *path, const struct text *content, bool fresh, struct status *status)

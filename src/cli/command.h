@@ -57,8 +57,8 @@ void command_complain(const char *what, const char *message);
 /** Prints the message in the same way and returns the exit status of its code. */
 int command_fail(const struct status *status);
 
-/** The path of share/roughcontact/`name` beside the program's bin. Error: STATUS_IO. */
-MUST_CHECK enum status_code command_share(struct text *out, const char *name, struct status *status);
+/** The folder of the templates, share/roughcontact/templates beside the program's bin. Error: STATUS_IO. */
+MUST_CHECK enum status_code command_templates(const char **out, struct status *status);
 
 /** Writes a file whole or not at all: in a hidden directory beside it, then moved to its place; `fresh`: it never
  * replaces another. A pipe or a device is written to. Error: STATUS_IO. */
@@ -76,16 +76,6 @@ int command_finish(int exit_status, const char *written);
 
 /** Prints a value (docs/commands.md) to stdout, numbers with 17 digits; frees it. command_finish() reports failures. */
 void command_json_print(json_t *json);
-
-/* What `report`, `direct` and `plan` print with --json (docs/commands.md). */
-
-/** The outcome of a report on `directory`: `outcome` NULL where it did not begin, `error` NULL where it was written. */
-void scene_json_print_report(const struct run_outcome *outcome, const char *directory, int exit_status,
-                             const char *error);
-
-/** The plan of a report, and roughly how long it takes: `results` NULL where there is none, and `error` says why. */
-void scene_json_print_plan(const struct results *results, double rough_seconds, const char *directory,
-                           const char *messages, int exit_status, const char *error);
 
 /* How a signal ends the program: in order if that is quick, else at once, and nothing temporary is left. */
 

@@ -65,7 +65,6 @@ static enum status_code compute_parameters(struct inspection *out, struct status
     const struct profile *profile = &out->profile;
     struct profile_options primary = out->options;
     struct profile before;
-    out->has_parameters = true;
     out->primary = parameters_compute('P', profile->height_m, profile->points, profile->spacing_m, 1);
     if (!(out->options.lambda_c_m > 0))
         return STATUS_OK;
@@ -211,10 +210,10 @@ json_t *inspection_json(const char *path, const struct inspection *inspection)
     json_object_update_new(json, record_json(fields, inspection));
     json_object_set_new(json, "warnings", warnings);
     json_object_set_new(json, "fit", json_string(power_law_band_class_names[inspection->power_law.found]));
-    if (scan->kind == SCAN_AREAL)
+    if (scan->kind == SCAN_AREAL) {
         json_object_update_new(json, record_json(map_fields, inspection));
-    if (!inspection->has_parameters)
         return json;
+    }
     static const char *const grids[] = {"uniform", "rounded x", "uneven x, interpolated"};
     json_object_set_new(json, "positions", json_string(grids[inspection->profile.grid]));
     json_object_set_new(json, "periodic", json_boolean(inspection->profile.periodic));

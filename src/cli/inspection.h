@@ -21,7 +21,7 @@ struct inspection {
     size_t points;                       /* that the numbers are of: without ends that were left out */
     double spacing_m, length_m;          /* along x; from first to last point */
     struct parameters primary, filtered; /* P; R where lambda_c is given */
-    bool has_parameters, has_filtered;
+    bool has_filtered;
     struct profile_options options;
 };
 
