@@ -3,7 +3,7 @@
 #ifndef TEST_DIRECT_POINTS_H
 #define TEST_DIRECT_POINTS_H
 
-#include "direct/direct_ladder.h"
+#include "direct/direct_quantities.h"
 #include "support.h"
 
 /* The same contact at each of `count` loads: points counted alike, numbers but for rounding. */

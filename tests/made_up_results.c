@@ -47,7 +47,6 @@ static void make_curve(struct surface_record *record, size_t index, size_t m, co
                                   .points = calloc(MADE_UP_LOADS, sizeof *curve->points),
                                   .count = MADE_UP_LOADS,
                                   .full_load = 1 / area,
-                                  .closed_load = 1 / area,
                                   .beta = adjusts ? 6 : NAN,
                                   .full = {.value[QUANTITY_LOAD] = 1 / area,
                                            .value[QUANTITY_AREA] = 1,

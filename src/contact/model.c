@@ -94,7 +94,7 @@ enum status_code model_run(struct model_curve *curve, const struct model_row *ro
     for (size_t i = 0; i <= task->load_count; i++)
         curve->points[i] = quantity_nothing();
     curve->full = quantity_nothing();
-    curve->full_load = curve->closed_load = curve->beta = NAN;
+    curve->full_load = curve->beta = NAN;
     if (row->run(curve, row, task, status) != STATUS_OK)
         return status->code;
     if (curve->exists && row->stiffness_step > 0 && (task->wanted & QUANTITY_BIT(QUANTITY_STIFFNESS)) &&

@@ -53,7 +53,6 @@ struct model_task {
     bool open;                     /* a scan does not close on itself */
     bool levelled;                 /* a line was subtracted from the scans, and with it their longest wave */
     bool carries_on;               /* beyond its largest area a model repeats its last answer: one of several scans */
-    const struct strip_rows *rows; /* the profiles; NULL: none */
     const struct strip *strip;     /* the profiles solved as a strip, for models that use_strip; NULL: none */
     const struct bearing *bearing; /* their bearing curve, for plastic models that use_strip; NULL: none */
     const struct prepared_strip *prepared; /* of that strip; where it is of another surface, or NULL, it is made anew */
@@ -81,7 +80,6 @@ struct model_curve {
     size_t count;              /* statistical: the last is the point of full contact if the loads reach it */
     double full_load;          /* P/(A_n E') at which A = A_n; NaN: not known */
     double crushed_load;       /* at which P = H and a plastic model's answers end; 0, NaN: none */
-    double closed_load;        /* at which the (adjusted) separation is 0; NaN: not known */
     double beta;               /* of the adjusted separation, else NaN */
     struct contact_point full; /* at full_load; NaN where that is not known */
     uint64_t clamped;          /* stacked scales: how often the published area was limited (multiscale_solve()) */

@@ -38,7 +38,6 @@ static enum status_code run(struct model_curve *curve, const struct model_row *r
     multiscale_solve(&curve->full, &stack, &constriction, task->wanted, stack.full_load, &curve->evaluations);
     curve->count = task->load_count;
     curve->full_load = stack.full_load;
-    curve->closed_load = stack.closed_load;
     curve->exists = true;
     if (task->wanted & (QUANTITY_BIT(QUANTITY_ECR) | QUANTITY_BIT(QUANTITY_TCR)))
         find_kink(curve, &stack, task->wanted & QUANTITY_BIT(QUANTITY_ECR) ? QUANTITY_ECR : QUANTITY_TCR);

@@ -31,7 +31,7 @@ static enum status_code run(struct model_curve *curve, const struct model_row *r
     statistical_full(&curve->full, &model);
     if (curve->count < task->load_count)
         curve->points[curve->count++] = curve->full;
-    curve->full_load = curve->closed_load = model.full_load;
+    curve->full_load = model.full_load;
     curve->beta = model.beta;
     curve->exists = true;
     statistical_free(&model);

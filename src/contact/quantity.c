@@ -2,7 +2,7 @@
 #include "contact/quantity.h"
 
 #include "base/unit.h"
-#include "direct/direct_ladder.h"
+#include "direct/direct_quantities.h"
 
 #include <math.h>
 #include <string.h>

@@ -69,14 +69,11 @@ static double thesis_gap(double x)
 }
 
 const struct sinusoid_fit sinusoid_fits[SINUSOID_FIT_COUNT] = {
-    [SINUSOID_FIT_THESIS] = {"thesis",
-                             "W. E. Wilson, Auburn University 2008, eq. 4.3-4.10; after Johnson, Greenwood "
-                             "and Higginson 1985, Jackson and Streator 2006",
-                             false, thesis_area, thesis_gap},
-    [SINUSOID_FIT_NUMERIC] = {"numeric",
-                              "direct numerical solution of the elastic cell on a 1024 x 1024 grid, "
-                              "interpolated",
-                              true, sinusoid_numeric_area, sinusoid_numeric_gap},
+    /* W. E. Wilson, Auburn University 2008, eq. 4.3-4.10; after Johnson, Greenwood and Higginson 1985, Jackson and
+     * Streator 2006 */
+    [SINUSOID_FIT_THESIS] = {"thesis", false, thesis_area, thesis_gap},
+    /* direct numerical solution of the elastic cell on a 1024 x 1024 grid, interpolated */
+    [SINUSOID_FIT_NUMERIC] = {"numeric", true, sinusoid_numeric_area, sinusoid_numeric_gap},
 };
 
 double sinusoid_full_pressure(double amplitude_m, double frequency_per_m, double effective_modulus_Pa)

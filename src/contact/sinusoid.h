@@ -20,7 +20,6 @@ enum sinusoid_fit_id { SINUSOID_FIT_THESIS, SINUSOID_FIT_NUMERIC, SINUSOID_FIT_C
 /** A law for the elastic cell ("closure"): x = mean pressure / p*. */
 struct sinusoid_fit {
     const char *name;    /* scene spelling */
-    const char *source;  /* where the formula or table is from */
     bool floors_plastic; /* (4.17), made to meet closure thesis, may fall below this closure's elastic area */
     void (*area)(struct sinusoid_cell *cell, double x); /* area ratio and complement alone, x > 0 */
     double (*gap)(double x);                            /* gap ratio, x > 0 */

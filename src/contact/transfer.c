@@ -46,14 +46,14 @@ static void add_gaussian(struct strip_curve *out, const struct persson *persson)
 
 /** A square's elastic solutions as a strip, with corrected-persson as its surrogate; the last one is interpolated at
  * the largest area. */
-static void make_strip(struct strip *out, const struct transfer_square *square, const struct persson *persson)
+static void make_strip(struct strip *out, const struct transfer_point *point, size_t count,
+                       const struct persson *persson)
 {
     const double last = logit(corrected_persson_largest_area);
     struct strip_curve *own = &out->own;
     double before = -INFINITY, known[3] = {0};
     *out = (struct strip){.surrogates = 1};
-    for (size_t i = 0; i < square->elastic_count && before < last && own->count < STRIP_KNOTS; i++) {
-        const struct transfer_point *point = &square->elastic[i];
+    for (size_t i = 0; i < count && before < last && own->count < STRIP_KNOTS; i++, point++) {
         double at = logit(point->area_ratio), share = fmin(1, (last - before) / (at - before));
         const double value[3] = {log(point->load), log(point->constriction_m), log(point->separation_m)};
         if (!(at > before) || !isfinite(value[1]) || !isfinite(value[2]) || (own->count == 0 && at > last))
@@ -227,9 +227,9 @@ static void add_capped(struct ratios *out, const struct transfer_square *square,
 {
     for (size_t k = 0; k < out->count; k++) {
         double own[3], base[3] = {NAN, NAN, NAN};
-        bool there = hardened(base, of, square->capped[k].load);
-        put_ln(own, &square->capped[k]);
-        out->ln_load[k] = log(square->capped[k].load);
+        bool there = hardened(base, of, square->point[1][k].load);
+        put_ln(own, &square->point[1][k]);
+        out->ln_load[k] = log(square->point[1][k].load);
         for (int q = 0; q < 3; q++)
             out->value[k][q] += there ? weight * (own[q] - base[q]) : NAN;
     }
@@ -266,28 +266,29 @@ static void make_capped(struct transfer_curve *out, const struct yielding *of, c
     make_monotone(out);
 }
 
-enum status_code transfer_make(struct transfer *out, const struct transfer_square *squares, size_t count,
-                               double hardness, struct status *status)
+enum status_code transfer_make(struct transfer *out, const struct transfer_squares *squares, double hardness,
+                               struct status *status)
 {
+    const size_t count = squares->count;
     struct strip *strip = calloc(count + 1, sizeof *strip), *joined = strip ? strip + count : NULL;
     struct persson own = {0}, whole = {0};
     double bearing[TRANSFER_BEARING] = {0};
-    struct ratios capped = {.count = isfinite(hardness) ? TRANSFER_LOADS : 0};
+    struct ratios capped = {.count = squares->loads[1]};
     enum status_code rc = strip ? persson_make(&whole, &out->spectrum, 0, status) : status_memory(status);
     for (size_t s = 0; s < count && rc == STATUS_OK; s++) {
-        capped.count = squares[s].capped_count < capped.count ? squares[s].capped_count : capped.count;
-        if ((rc = persson_make(&own, &squares[s].spectrum, 0, status)) != STATUS_OK)
+        const struct transfer_square *square = &squares->square[s];
+        if ((rc = persson_make(&own, &square->spectrum, 0, status)) != STATUS_OK)
             break;
-        make_strip(&strip[s], &squares[s], &own);
+        make_strip(&strip[s], square->point[0], squares->loads[0], &own);
         persson_free(&own);
         if (strip[s].own.count == 0)
             rc = status_fail(status, STATUS_MODEL, "no load of its ladder resolves the contact of the map");
         else if (capped.count > 0 && /* curve[0] is the square's for now */
-                 (rc = make_elastic(&out->curve[0], &squares[s].spectrum, &strip[s], status)) == STATUS_OK)
-            add_capped(&capped, &squares[s], &(struct yielding){&out->curve[0], squares[s].bearing, hardness},
+                 (rc = make_elastic(&out->curve[0], &square->spectrum, &strip[s], status)) == STATUS_OK)
+            add_capped(&capped, square, &(struct yielding){&out->curve[0], square->bearing, hardness},
                        1 / (double)count);
         for (size_t k = 0; k < TRANSFER_BEARING; k++)
-            bearing[k] += squares[s].bearing[k] / (double)count;
+            bearing[k] += square->bearing[k] / (double)count;
     }
     if (rc == STATUS_OK) {
         keep_finite(&capped);

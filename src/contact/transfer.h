@@ -30,9 +30,13 @@ struct transfer_point {
 /** Solutions of a square, elastic and with the hardness, at ascending loads; NaN where not usable. */
 struct transfer_square {
     struct spectrum spectrum; /* of its rows and columns */
-    struct transfer_point elastic[TRANSFER_LOADS], capped[TRANSFER_LOADS];
-    size_t elastic_count, capped_count;
+    struct transfer_point point[2][TRANSFER_LOADS];
     double bearing[TRANSFER_BEARING]; /* by transfer_bearing() */
+};
+
+struct transfer_squares {
+    const struct transfer_square *square;
+    size_t count, loads[2]; /* loads: of every square, elastic and with the hardness */
 };
 
 /** Bearing curve: ln of the mean gap below the height that a share of the heights exceeds, at even steps of logit of
@@ -55,10 +59,10 @@ struct transfer {
     } error[2]; /* standard errors of the curves' values; NaN: not known */
 };
 
-/** Applies the mean ln ratio of the squares, which have the same loads, to the surface of out->spectrum. ln A never
+/** Applies the mean ln ratio of the squares to the surface of out->spectrum. ln A never
  * falls with load, ln l and ln gap never rise. Errors: STATUS_MODEL: a square has no usable load; STATUS_MEMORY. */
-MUST_CHECK enum status_code transfer_make(struct transfer *out, const struct transfer_square *squares, size_t count,
-                                          double hardness, struct status *status);
+MUST_CHECK enum status_code transfer_make(struct transfer *out, const struct transfer_squares *squares, double hardness,
+                                          struct status *status);
 void transfer_free(struct transfer *transfer);
 
 /** The answer at p/E', interpolated in ln, also below the first load; false beyond the largest area. */

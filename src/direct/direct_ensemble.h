@@ -5,8 +5,8 @@
 #ifndef DIRECT_ENSEMBLE_H
 #define DIRECT_ENSEMBLE_H
 
-#include "direct/direct_ladder.h"
 #include "direct/direct_map.h"
+#include "direct/direct_quantities.h"
 #include "direct/direct_surface.h"
 
 /** Least contact points, mirror images included, for a number (error of A with 112: 1.5 %, with 59: 2.8 %). */

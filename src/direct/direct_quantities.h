@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Area, gap and patches of a solved contact. */
+/* Area, gap and patches of a solved contact; and these with the constriction of one surface under rising loads. */
 #ifndef DIRECT_QUANTITIES_H
 #define DIRECT_QUANTITIES_H
 
@@ -29,5 +29,34 @@ double direct_area_corrected(const struct direct_quantities *quantities, size_t 
 /** Number of connected patches of contact in a period, mirror images included; points connect along a face. Error:
  * STATUS_MEMORY. */
 MUST_CHECK enum status_code direct_patches(size_t *count, struct direct_contact *contact, struct status *status);
+
+/* One surface under rising loads, each solved from the solution before. */
+
+struct direct_ladder_def {
+    const double *load; /* p̄/E', ascending */
+    size_t loads;
+    double hardness;  /* H/E'; INFINITY: elastic */
+    double tolerance; /* of the contact; its root serves the constriction, which is good to the square of its own */
+    bool resistance;
+    const atomic_bool *stop; /* NULL: never */
+    bool without_patches;    /* which are not counted then */
+};
+
+/** At one load. */
+struct direct_point {
+    bool exists; /* false: p̄ >= H, complete contact, which a hardness does not define; no number then */
+    struct direct_quantities quantities;
+    double constriction_m; /* NaN where not asked for. The mean gap falls by 2 constriction_m per p̄/E' if elastic */
+    size_t patches;        /* connected ones of contact */
+    size_t convolutions;
+};
+
+/** The quantities that are averaged. */
+enum direct_quantity { DIRECT_AREA, DIRECT_GAP, DIRECT_CONSTRICTION, DIRECT_PATCHES, DIRECT_QUANTITIES };
+double direct_point_value(const struct direct_point *point, enum direct_quantity quantity);
+
+/** Solves every load of the ladder: `loads` points. Errors: those of the solutions. */
+MUST_CHECK enum status_code direct_ladder_run(struct direct_point *out, struct direct_contact *contact,
+                                              const struct direct_ladder_def *def, struct status *status);
 
 #endif

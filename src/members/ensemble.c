@@ -29,7 +29,7 @@ void ensemble_free(struct ensemble *set)
     for (size_t p = 0; p < set->count; p++)
         member_free(&set->members[p]);
     free(set->members);
-    free(set->scans);
+    free(set->scan_weight);
     *set = (struct ensemble){0};
 }
 
@@ -133,7 +133,6 @@ struct model_task member_task(struct asperities *asperities, const struct member
     own.spectrum = &member->spectrum;
     own.rough = (struct cmy){member->roughness.rq_m, cmy_slope(member->roughness.m2)};
     if (member->strip) {
-        own.rows = &member->strip->rows;
         own.strip = &member->strip->strip;
         own.bearing = &member->strip->bearing;
     }
@@ -171,7 +170,7 @@ enum status_code ensemble_estimate(struct estimate *out, const struct ensemble *
             sum += (logarithmic ? log(value[end]) : value[end]) - first;
         double own = first + sum / (double)(end - i); /* equal values give exactly themselves */
         mean[scans] = end == i + 1 ? value[i] : logarithmic ? exp(own) : own;
-        weight[scans] = set->scans[scan[i]].weight;
+        weight[scans] = set->scan_weight[scan[i]];
     }
     enum status_code rc = estimate_make(out, mean, weight, scans, logarithmic, status);
     free(mean);

@@ -14,7 +14,6 @@
 
 /** Rows solved as one strip, and their bearing curve. Owned: solved_strip_free(). */
 struct solved_strip {
-    struct strip_rows rows;
     struct strip strip;
     struct bearing bearing;
 };
@@ -35,21 +34,15 @@ struct member {
     uint64_t seed; /* for its strip's surrogates, from the heights as measured */
 };
 
-/** A file. */
-struct ensemble_scan {
-    const char *file; /* the scene's string */
-    double weight;    /* its length over that of the shortest scan */
-};
-
 /** Members in the order of their scans. Owned: ensemble_free(). */
 struct ensemble {
     struct member *members;
     size_t count, capacity; /* 0: a single scan, the surface itself */
-    struct ensemble_scan *scans;
-    size_t scan_count;  /* 1: a map, whose rows the members are */
-    double sigma_m;     /* rms height of the surface */
-    bool keeps_heights; /* also of pieces and of rows of a map */
-    bool solved_alone;  /* models that use strips answer only for members that have one */
+    double *scan_weight;    /* of each scan its length over that of the shortest */
+    size_t scan_count;      /* 1: a map, whose rows the members are */
+    double sigma_m;         /* rms height of the surface */
+    bool keeps_heights;     /* also of pieces and of rows of a map */
+    bool solved_alone;      /* models that use strips answer only for members that have one */
 };
 void ensemble_free(struct ensemble *set);
 

@@ -7,13 +7,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum status_code repeats_add_scan(struct ensemble *set, const char *file, struct status *status)
+enum status_code repeats_add_scan(struct ensemble *set, struct status *status)
 {
-    struct ensemble_scan *scans = reallocarray(set->scans, set->scan_count + 1, sizeof *scans);
-    if (!scans)
+    double *weight = reallocarray(set->scan_weight, set->scan_count + 1, sizeof *weight);
+    if (!weight)
         return status_memory(status);
-    set->scans = scans;
-    set->scans[set->scan_count++] = (struct ensemble_scan){.file = file, .weight = 1};
+    set->scan_weight = weight;
+    set->scan_weight[set->scan_count++] = 1;
     return STATUS_OK;
 }
 
@@ -47,7 +47,7 @@ static enum status_code cut_scan(struct ensemble *cut, const struct member *scan
 {
     const struct record_conditioning how = record_conditioning_of(scene, scan->periodic);
     size_t subrecords = interval_subrecords(scan->points, points);
-    cut->scans[scan->scan].weight = (double)subrecords;
+    cut->scan_weight[scan->scan] = (double)subrecords;
     for (size_t k = 0; k < subrecords; k++) {
         const struct record_heights part = {scan->height_m + interval_subrecord_first(scan->points, points, k), points,
                                             scan->spacing_m};
@@ -65,7 +65,8 @@ enum status_code repeats_cut_to_shortest(struct ensemble *set, size_t *cut, cons
     double least_m = INFINITY;
     for (size_t p = 0; p < set->count; p++)
         least_m = fmin(least_m, (double)set->members[p].points * set->members[p].spacing_m);
-    struct ensemble out = {.scans = set->scans, .scan_count = set->scan_count, .keeps_heights = set->keeps_heights};
+    struct ensemble out = {
+        .scan_weight = set->scan_weight, .scan_count = set->scan_count, .keeps_heights = set->keeps_heights};
     enum status_code rc = STATUS_OK;
     for (size_t p = 0; p < set->count && rc == STATUS_OK; p++) {
         struct member *member = &set->members[p], *kept;
@@ -80,7 +81,7 @@ enum status_code repeats_cut_to_shortest(struct ensemble *set, size_t *cut, cons
             rc = status_memory(status);
         }
     }
-    set->scans = NULL;
+    set->scan_weight = NULL;
     ensemble_free(set);
     *set = out;
     *cut = longer > 0 ? out.count : 0;

@@ -15,7 +15,7 @@ struct repeats {
 };
 
 /** Adds a file. Error: STATUS_MEMORY. */
-MUST_CHECK enum status_code repeats_add_scan(struct ensemble *set, const char *file, struct status *status);
+MUST_CHECK enum status_code repeats_add_scan(struct ensemble *set, struct status *status);
 
 /** Adds row `row` of `rows` of the last file as a member, `own`, which is taken over. Of more than STRIPS_PIECES rows
  * only that many, evenly spaced, become members. Takes the profile's heights if it is a single row. Error:

@@ -163,16 +163,16 @@ static enum status_code solve(struct solved_strip **out, struct strips *strips, 
 {
     struct status problem = {0};
     struct solved_strip *solved = calloc(1, sizeof *solved);
+    struct strip_rows rows = strips->rows;
     if (!solved)
         return status_memory(status);
-    solved->rows = strips->rows;
-    solved->rows.height_m += first * strips->rows.points;
-    solved->rows.seed += first;
-    solved->rows.rows = count;
-    const size_t surrogates = strips->roughly ? STRIP_ROUGHLY : strip_surrogates(&solved->rows);
-    enum status_code rc = strip_solve(&solved->strip, &solved->rows, surrogates, threads, &problem);
+    rows.height_m += first * rows.points;
+    rows.seed += first;
+    rows.rows = count;
+    enum status_code rc = strip_solve(&solved->strip, &rows, strips->roughly ? STRIP_ROUGHLY : strip_surrogates(&rows),
+                                      threads, &problem);
     if (rc == STATUS_OK)
-        rc = bearing_make(&solved->bearing, &solved->rows, &problem);
+        rc = bearing_make(&solved->bearing, &rows, &problem);
     if (!threads_wait(turn)) {
         solved_strip_free(solved);
         return STATUS_OK;

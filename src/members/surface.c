@@ -57,7 +57,6 @@ struct model_task surface_model_task(const struct surface_record *record, const 
         .open = record->summary.periodic < record->summary.scans,
         .levelled = scene->level >= LEVEL_LINE && (scene->level_given || record->summary.periodic == 0) &&
                     !(scene->lambda_c_m > 0),
-        .rows = record->strips.rows.rows > 0 ? &record->strips.rows : NULL,
         .strip = record->strips.joined ? &record->strips.joined->strip : NULL,
         .bearing = record->strips.joined ? &record->strips.joined->bearing : NULL,
         .prepared = &record->strips.prepared,

@@ -350,8 +350,6 @@ static enum status_code conclude(struct surface_record *record, struct power_law
     double most = scene->models_named ? INFINITY : tiles_budget / (double)scene->surface_count;
     summary->has_tiles = tiles_fit(&record->tiles, capped, most);
     summary->tile_cost = tiles_cost(&record->tiles, capped);
-    summary->squares = record->tiles.columns * record->tiles.rows;
-    summary->all_squares = record->tiles.all;
     if (describe(record, scans, scene, status) != STATUS_OK)
         return status->code;
     record->ensemble.sigma_m = sqrt(summary->roughness.m0_m2);

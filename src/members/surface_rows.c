@@ -279,7 +279,7 @@ enum status_code surface_rows_add(const struct surface_scans *task, struct scan 
     struct areal_parameters of[2] = {{0}}; /* a map, as measured and after the low-pass */
     struct status first = {0};
     if ((areal && condition_map(of, &map, scan, scene, status) != STATUS_OK) ||
-        repeats_add_scan(set, scene_file, status) != STATUS_OK)
+        repeats_add_scan(set, status) != STATUS_OK)
         return status->code;
     double cutoff_m = fmax(summary->cutoff_m, map.cutoff * map.dx_m);
     had.lambda_s_m = fmax(scene->lambda_s_m, cutoff_m);

@@ -2,7 +2,6 @@
 #include "members/tiles.h"
 #include "base/costs.h"
 
-#include "direct/direct_constriction.h"
 #include "direct/direct_quantities.h"
 #include "direct/direct_surface.h"
 #include "spectrum/areal.h"
@@ -35,7 +34,6 @@ static void lay_out(struct tiles *tiles)
     tiles->side = direct_map_mirrored(def, TILES_SIDE) ? fft_quick(least / parts, DIRECT_MAP_FACTOR) : least;
     tiles->columns = def->nx / tiles->side;
     tiles->rows = def->ny / tiles->side;
-    tiles->all = tiles->columns * tiles->rows;
     while (tiles->columns * tiles->rows > TILES_MOST)
         --*(tiles->columns > tiles->rows ? &tiles->columns : &tiles->rows);
 }
@@ -178,19 +176,14 @@ struct ladder {
 static enum status_code solve_load(struct transfer_point *out, struct direct_contact *contact, double load,
                                    const struct ladder *ladder, uint64_t *transforms, struct status *status)
 {
-    const struct direct_contact_load task = {load, ladder->hardness, tolerance, true, ladder->stop};
-    double length_m;
+    const struct direct_ladder_def def = {&load, 1, ladder->hardness, tolerance, true, ladder->stop, true};
+    struct direct_point found;
     *out = (struct transfer_point){load, NAN, NAN, NAN};
-    if (load >= ladder->hardness)
-        return STATUS_OK;
-    if (direct_contact_solve(contact, &task, status) != STATUS_OK)
+    if (direct_ladder_run(&found, contact, &def, status) != STATUS_OK)
         return status->code;
-    const struct direct_quantities found = direct_quantities_of(contact, &task);
-    if (direct_constriction_of_contact(&length_m, contact, sqrt(tolerance), ladder->stop, status) != STATUS_OK)
-        return status->code;
-    *transforms += contact->convolutions * contact->kernel.points;
-    if (found.contact_points >= LEAST_POINTS)
-        *out = (struct transfer_point){load, found.area_ratio, found.gap_m, length_m};
+    *transforms += found.convolutions * contact->kernel.points;
+    if (found.quantities.contact_points >= LEAST_POINTS)
+        *out = (struct transfer_point){load, found.quantities.area_ratio, found.quantities.gap_m, found.constriction_m};
     return STATUS_OK;
 }
 
@@ -287,11 +280,6 @@ static bool quartered(const struct work *work)
     return work->count < 4; /* also of a periodic map, which is one sample of its surface */
 }
 
-static struct transfer_point *points_of(const struct work *work, int kind, size_t s)
-{
-    return kind == 0 ? work->square[s].elastic : work->square[s].capped;
-}
-
 /** The errors of one kind: root of the sum of squares of what every second point changes, what a wider low-pass
  * changes, and the scatter over the squares, or over the quarters of the first where they are fewer than four. The
  * scatter of the four quarters is not divided by two: waves as long as the map make whole maps differ as much as their
@@ -303,13 +291,13 @@ static void find_errors(struct transfer_errors *out, struct work *work, int kind
     const struct ladder ladder = told_at(only, &work->ladder[kind]);
     for (size_t k = 0; k < ladder.loads; k++) {
         out->ln_load[k] = log(ladder.load[k]);
-        part[DIRECT_MAP_WHOLE][k] = points_of(work, kind, 0)[only[k]];
+        part[DIRECT_MAP_WHOLE][k] = work->square[0].point[kind][only[k]];
         for (int q = 0; q < 3; q++) {
             double of[DIRECT_MAP_PARTS], over[TILES_MOST];
             for (int p = 0; p < DIRECT_MAP_PARTS; p++)
                 of[p] = ln_of(&part[p][k], q);
             for (size_t s = 0; s < work->count; s++)
-                over[s] = ln_of(&points_of(work, kind, s)[only[k]], q);
+                over[s] = ln_of(&work->square[s].point[kind][only[k]], q);
             double error = of[DIRECT_MAP_WHOLE] - of[DIRECT_MAP_SECOND];
             double wider =
                 direct_map_has(&work->first, DIRECT_MAP_WIDER) ? of[DIRECT_MAP_WIDER] - of[DIRECT_MAP_SECOND] : 0;
@@ -367,7 +355,7 @@ static enum status_code solve_square(struct work *work, int kind, size_t s, uint
         return status->code;
     enum status_code rc = kind == 0 ? describe(&work->square[s], &map, status) : STATUS_OK;
     if (rc == STATUS_OK)
-        rc = solve(points_of(work, kind, s), &map, &work->ladder[kind], false, transforms, status);
+        rc = solve(work->square[s].point[kind], &map, &work->ladder[kind], false, transforms, status);
     direct_map_free(&map);
     return rc;
 }
@@ -410,7 +398,7 @@ static enum status_code solve_task(void *context, size_t index, struct threads_t
     uint64_t transforms = 0;
     (void)turn;
     if (leads)
-        (void)solve(points_of(work, kind, 0), &work->first, &work->ladder[kind], true, &transforms, status);
+        (void)solve(work->square[0].point[kind], &work->first, &work->ladder[kind], true, &transforms, status);
     else if (learn(work, kind))
         (void)(s < work->count ? solve_square(work, kind, s, &transforms, status)
                                : solve_part(work, kind, (enum direct_map_part)(DIRECT_MAP_SECOND + s - work->count),
@@ -439,10 +427,6 @@ static enum status_code solve_all(struct work *work, const struct threads *threa
     work->kinds = ladder[1].loads > 0 ? 2 : 1;
     (void)!threads_run(threads, work->kinds * (work->count + DIRECT_MAP_PARTS - DIRECT_MAP_SECOND), solve_task, work,
                        status);
-    for (size_t s = 0; s < work->count; s++) {
-        work->square[s].elastic_count = ladder[0].loads;
-        work->square[s].capped_count = ladder[1].loads;
-    }
     return status->code;
 }
 
@@ -460,7 +444,9 @@ static enum status_code run(struct tiles *tiles, double hardness, const struct t
     if (rc == STATUS_OK)
         rc = spectrum_of_all(&transfer->spectrum, tiles, work.square, status);
     if (rc == STATUS_OK)
-        rc = transfer_make(transfer, work.square, work.count, hardness, status);
+        rc = transfer_make(
+            transfer, &(struct transfer_squares){work.square, work.count, {work.ladder[0].loads, work.ladder[1].loads}},
+            hardness, status);
     for (int kind = 0; kind < (int)work.kinds && rc == STATUS_OK; kind++)
         find_errors(&transfer->error[kind], &work, kind);
     for (size_t s = 0; work.square && s < work.count; s++)

@@ -15,7 +15,6 @@ struct tiles {
     double *height_m;           /* conditioned, row after row; NULL: no map */
     struct direct_map_def def;  /* of the whole map */
     size_t side, columns, rows; /* of a square, in points; squares that are solved, across and down */
-    size_t all;                 /* squares that it holds */
     struct transfer *transfer;  /* NULL: not solved */
     double low_pass[3];         /* about what the low-pass changed, at a middle load: ln of area, gap and constriction
                                    length; 0: no low-pass */

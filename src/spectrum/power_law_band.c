@@ -144,7 +144,6 @@ static struct power_law_band_fit fit_of(const struct selection *selection, doubl
         .band_m = {length_m / (double)last, length_m / (double)first},
         .first_harmonic = first,
         .last_harmonic = last,
-        .bins = selection->count,
     };
 }
 
@@ -343,7 +342,7 @@ static enum status_code gather(struct power_law_band *band, struct selection *se
 {
     assert(spectrum->scans >= 1 && spectrum->length_m > 0);
     *band = (struct power_law_band){
-        .fit = {NAN, NAN, NAN, NAN, 0, 0, NAN, NAN, {NAN, NAN}, 0, 0, 0}, .psd_m3 = NAN, .slope_share = NAN};
+        .fit = {NAN, NAN, NAN, NAN, 0, 0, NAN, NAN, {NAN, NAN}, 0, 0}, .psd_m3 = NAN, .slope_share = NAN};
     band->bins =
         log_bin_fill(band->bin, spectrum->square_m2, spectrum->count, spectrum->length_m, spectrum->scans, split);
     if (find_lines(band, spectrum->scans, status) != STATUS_OK)
@@ -443,18 +442,12 @@ static void add_knee_errors(struct power_law_band_fit *fit, const struct selecti
     fit->log10_amplitude_bias_s = hypot(fit->log10_amplitude_bias_s, amplitude_s);
 }
 
-static void describe_pieces(struct power_law_band *band, const struct selection *selection, const struct pieces *pieces,
-                            double length_m)
+static void tell_knees(struct power_law_band *band, const struct selection *selection, const struct pieces *pieces)
 {
     band->pieces = pieces->count;
-    for (size_t k = 0; k < pieces->count; k++) {
-        size_t first = pieces->first[k], last = pieces->first[k + 1] - 1;
-        struct power_law_band_piece *piece = &band->piece[k];
-        piece->gamma = slope_of(selection, first, last);
-        piece->band_m[0] = length_m / (double)bin_at(selection, last)->last;
-        piece->band_m[1] = length_m / (double)bin_at(selection, first)->first;
-        if (k > 0)
-            band->knee_m[k - 1] = pow(10, (bin_at(selection, first - 1)->x + bin_at(selection, first)->x) / 2);
+    for (size_t k = 1; k < pieces->count; k++) {
+        size_t first = pieces->first[k];
+        band->knee_m[k - 1] = pow(10, (bin_at(selection, first - 1)->x + bin_at(selection, first)->x) / 2);
     }
 }
 
@@ -470,7 +463,7 @@ static enum status_code look(struct power_law_band *out, const struct selection 
     if (divide(&pieces, selection, status) != STATUS_OK)
         return status->code;
     if (!scattered)
-        describe_pieces(out, selection, &pieces, spectrum->length_m);
+        tell_knees(out, selection, &pieces);
     for (size_t k = 0; k < pieces.count; k++) {
         struct candidate candidate;
         if (!candidate_of(&candidate, selection, &pieces, k) || candidate.width_decades <= widest)

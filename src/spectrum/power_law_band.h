@@ -49,13 +49,6 @@ struct power_law_band_fit {
     double misfit_decades;                       /* tau: lack of fit beyond the scatter of a Gaussian random surface */
     double band_m[2];                            /* shortest and longest wavelength */
     size_t first_harmonic, last_harmonic;        /* the same: L/band_m[1], L/band_m[0] */
-    size_t bins;                                 /* used */
-};
-
-/** A straight piece of the segmented spectrum. */
-struct power_law_band_piece {
-    double gamma;
-    double band_m[2]; /* shortest and longest wavelength */
 };
 
 /** All that a report prints and draws. Arrays by bin run from long to short waves. */
@@ -65,8 +58,7 @@ struct power_law_band {
     double psd_m3; /* amplitude² L/2: the one-sided spectral density, which does not depend on the scan's length */
     double slope_share; /* share of the mean square slope m2 that the band's harmonics carry */
 
-    size_t pieces; /* of power_law_band_find(); 0: too few bins */
-    struct power_law_band_piece piece[POWER_LAW_BAND_PIECES];
+    size_t pieces;                            /* straight ones, of power_law_band_find(); 0: too few bins */
     double knee_m[POWER_LAW_BAND_PIECES - 1]; /* between piece i and i + 1 */
 
     size_t bins;

@@ -12,7 +12,7 @@ enum { HARMONICS = 60, LOADS = 121, SCANS = 3, TARGETS_MOST = 8 };
 static struct {
     double amplitude_m[SCANS][HARMONICS], loads[LOADS];
     struct member parts[SCANS];
-    struct ensemble_scan scans[SCANS];
+    double weights[SCANS];
     struct surface_record record;
     struct model_task task;
     struct scene scene;
@@ -58,13 +58,13 @@ static void make(size_t scans)
         part->scan = s;
         part->spectrum = (struct spectrum){.amplitude_m = f.amplitude_m[s], .count = HARMONICS, .length_m = 3e-4};
         part->roughness = (struct roughness){.m0_m2 = 4e-14 * size * size, .m2 = 2e-3 * size * size, .m4_per_m2 = 5e8};
-        f.scans[s] = (struct ensemble_scan){.weight = 1};
+        f.weights[s] = 1;
     }
     summary->asperities =
         (struct asperities){.density_per_m2 = 1e10, .radius_m = 8e-6, .sigma_s_m = 2e-7, .sigma_m = 2.1e-7};
     if (scans > 1)
         f.record.ensemble =
-            (struct ensemble){.members = f.parts, .count = scans, .scans = f.scans, .scan_count = scans};
+            (struct ensemble){.members = f.parts, .count = scans, .scan_weight = f.weights, .scan_count = scans};
     for (size_t i = 0; i < LOADS; i++)
         f.loads[i] = 1e-9 * pow(1e7, (double)i / (LOADS - 1));
     f.task = (struct model_task){.spectrum = &f.parts[0].spectrum,

@@ -2,7 +2,7 @@
 /* A hardness beside an elastic contact, and the models that have it. */
 #include "contact/bearing.h"
 #include "contact/corrected_persson.h"
-#include "direct/direct_ladder.h"
+#include "direct/direct_quantities.h"
 #include "direct/direct_surface.h"
 #include "model_support.h"
 #include <gsl/gsl_cdf.h>
@@ -155,7 +155,6 @@ TEST_CASE(models)
     model_support_loads(load, MODEL_LOADS, 1e-5, 10);
     struct model_task task = model_support_task(&spectrum, &pair, load, MODEL_LOADS);
     task.hardness_Pa = 1e30;
-    task.rows = &rows;
     task.strip = &strip;
     struct model_curve curve[4];
     assert_false(model_support_run(points[3], "strip-plastic", &task).exists); /* not in order */

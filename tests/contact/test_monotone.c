@@ -110,7 +110,6 @@ static bool make(struct made *out, size_t number)
     out->pair = model_support_tin();
     out->task = model_support_task(&out->spectrum, &out->pair, out->load, LOADS);
     out->task.hardness_Pa = 0.02 * pow(200, direct_random(number, 5)) * slope * out->pair.effective_modulus_Pa;
-    out->task.rows = &out->rows;
     out->task.strip = &out->strip;
     out->task.bearing = model_support_bearing(&out->rows);
     return true;

@@ -3,7 +3,7 @@
 #include "contact/corrected_persson.h"
 #include "contact/model.h"
 #include "contact/strip.h"
-#include "direct/direct_ladder.h"
+#include "direct/direct_quantities.h"
 #include "direct/direct_surface.h"
 #include "model_support.h"
 
@@ -299,7 +299,7 @@ TEST_CASE(against_direct_solutions)
         struct persson persson = model_support_persson(&mean);
         for (size_t i = 0; i < TRUTHS; i++)
             loads[i] = sqrt(2 * persson.m2) * (double[TRUTHS]){0.02, 0.08, 0.25, 0.6}[i];
-        struct direct_ladder_def ladder = {loads, TRUTHS, INFINITY, 1e-5, true, NULL};
+        struct direct_ladder_def ladder = {loads, TRUTHS, INFINITY, 1e-5, true, NULL, false};
         struct direct_contact contact;
         expect_ok(direct_contact_make, &contact, height, &(struct direct_grid){SIDE, SIDE, 1e-6, false, false});
         expect_ok(direct_ladder_run, truth, &contact, &ladder);

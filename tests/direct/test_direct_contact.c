@@ -2,7 +2,7 @@
 #include "direct_support.h"
 
 #include "direct/direct_constriction.h"
-#include "direct/direct_ladder.h"
+#include "direct/direct_quantities.h"
 
 /** Every so many of the rows of a table that have a grid of n points a side, against solutions to `tolerance`. */
 static void random_rows(const char *file, size_t n, size_t every, int expected_rows, double tolerance)
@@ -441,7 +441,7 @@ TEST_CASE(mirror_images)
     for (int h = 0; h < 2; h++) {
         struct direct_contact own, whole;
         struct direct_point found[LOADS], expected[LOADS];
-        const struct direct_ladder_def ladder = {load, LOADS, hardness[h] * gradient, 1e-9, true, NULL};
+        const struct direct_ladder_def ladder = {load, LOADS, hardness[h] * gradient, 1e-9, true, NULL, false};
         expect_ok(direct_contact_make, &own, height, &(struct direct_grid){N, N, 1.0 / N, true, false});
         expect_ok(direct_contact_make, &whole, images, &(struct direct_grid){2 * N, 2 * N, 1.0 / N, false, false});
         assert_non_null(own.coarse);

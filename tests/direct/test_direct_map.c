@@ -130,7 +130,7 @@ static void solve_grid(struct direct_point out[MIRROR_LOADS], const double *heig
 {
     double load[MIRROR_LOADS];
     struct direct_contact contact;
-    struct direct_ladder_def ladder = {load, MIRROR_LOADS, INFINITY, 1e-6, true, NULL};
+    struct direct_ladder_def ladder = {load, MIRROR_LOADS, INFINITY, 1e-6, true, NULL, false};
     for (int i = 0; i < MIRROR_LOADS; i++)
         load[i] = mirror_loads[i] * gradient;
     expect_ok(direct_contact_make, &contact, height, &grid);

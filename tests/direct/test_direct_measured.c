@@ -3,8 +3,8 @@
  * with reference numbers. */
 #include "direct_support.h"
 
-#include "direct/direct_ladder.h"
 #include "direct/direct_map.h"
+#include "direct/direct_quantities.h"
 #include "scan/scan.h"
 #include <unistd.h>
 
@@ -21,7 +21,7 @@ struct measured {
 static void solve(struct direct_point *out, const double *height_m, const struct measured *measured)
 {
     struct direct_contact contact;
-    struct direct_ladder_def ladder = {measured->load, LOADS, INFINITY, 1e-6, true, NULL};
+    struct direct_ladder_def ladder = {measured->load, LOADS, INFINITY, 1e-6, true, NULL, false};
     expect_ok(direct_contact_make, &contact, height_m, &measured->map.grid);
     expect_ok(direct_ladder_run, out, &contact, &ladder);
     direct_contact_free(&contact);

@@ -30,7 +30,7 @@ static struct direct_contact contact_of(const double *height, size_t n)
 /** One load by the ladder, to 1e-9; every number of it is one. */
 static struct direct_point solved(struct direct_contact *contact, double load, double hardness)
 {
-    struct direct_ladder_def ladder = {&load, 1, hardness, 1e-9, true, NULL};
+    struct direct_ladder_def ladder = {&load, 1, hardness, 1e-9, true, NULL, false};
     struct direct_point point;
     expect_ok(direct_ladder_run, &point, contact, &ladder);
     const struct direct_quantities *q = &point.quantities;
@@ -123,7 +123,7 @@ TEST_CASE(load_at_the_hardness)
     struct direct_contact contact = contact_of(height, N);
     for (size_t i = 0; i < sizeof shares / sizeof *shares; i++) {
         double load = shares[i] * hardness;
-        struct direct_ladder_def ladder = {&load, 1, hardness, 1e-9, true, NULL};
+        struct direct_ladder_def ladder = {&load, 1, hardness, 1e-9, true, NULL, false};
         struct direct_contact_load one = {load, hardness, 1e-9, true, NULL};
         struct direct_point point;
         if (shares[i] < 1) {
@@ -221,7 +221,7 @@ TEST_CASE(no_answer)
     struct status status = {0};
     double *height = surface_of(1.3, 5, N, 1);
     struct direct_contact contact = contact_of(height, N);
-    struct direct_ladder_def ladder = {&load, 1, INFINITY, 1e-300, false, NULL};
+    struct direct_ladder_def ladder = {&load, 1, INFINITY, 1e-300, false, NULL, false};
     struct direct_point point;
     int traps = fedisableexcept(FE_ALL_EXCEPT); /* 0/0 ends iterations on rounding alone */
     hard_case("a tolerance of 1e-300", "iterations without end", "an error: did not converge", "answers",

@@ -25,8 +25,7 @@ static struct tiles bumps(double *height_m, size_t side, const double (*at)[3], 
                           .def = {side, side, dx_m, dx_m, closes, 0},
                           .side = side,
                           .columns = 1,
-                          .rows = 1,
-                          .all = 1};
+                          .rows = 1};
 }
 
 static struct map_contact contact_of(const struct tiles *tiles, double load, double hardness)

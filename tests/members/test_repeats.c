@@ -8,17 +8,17 @@
 enum { MOST = 64, LOADS = 5 };
 
 static struct member parts[MOST];
-static struct ensemble_scan scans[MOST];
+static double weights[MOST];
 
 /* Parts of the scans given, one value a part; weight NULL: all of them 1. */
 static struct ensemble set_of(size_t count, const size_t *scan, const double *weight)
 {
     for (size_t p = 0; p < count; p++) {
         parts[p] = (struct member){.scan = scan[p]};
-        scans[scan[p]] = (struct ensemble_scan){.weight = weight ? weight[scan[p]] : 1};
+        weights[scan[p]] = weight ? weight[scan[p]] : 1;
     }
     return (struct ensemble){
-        .members = parts, .count = count, .scans = scans, .scan_count = count > 0 ? scan[count - 1] + 1 : 0};
+        .members = parts, .count = count, .scan_weight = weights, .scan_count = count > 0 ? scan[count - 1] + 1 : 0};
 }
 
 /* The curve of a set, whose band is the test's. */

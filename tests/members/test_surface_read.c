@@ -157,7 +157,7 @@ PLACED(test_which_scans_are_kept)
         assert_near(set->members[p].spectrum.amplitude_m[2], height, 1e-3);
         assert_near(set->members[p].roughness.rq_m, height * sqrt(0.5 + 0.125), 1e-3);
         assert_null(set->members[p].height_m); /* once concluded */
-        assert_near(set->scans[p].weight, 1, 0);
+        assert_near(set->scan_weight[p], 1, 0);
     }
     assert_int_equal(record->summary.repeats.count, MANY);
     assert_int_equal(record->summary.repeats.cut, 0);
@@ -283,9 +283,9 @@ PLACED(test_scans_are_cut_to_the_shortest)
         assert_int_equal(expected.amplitude_m[3] < 1e-9, of[p] < 2); /* a window spreads the third harmonic */
         ensemble_free(&alone);
     }
-    assert_near(set->scans[0].weight, 2, 0);
-    assert_near(set->scans[1].weight, 1, 0);
-    assert_near(set->scans[2].weight, 2, 0);
+    assert_near(set->scan_weight[0], 2, 0);
+    assert_near(set->scan_weight[1], 1, 0);
+    assert_near(set->scan_weight[2], 2, 0);
     double log_rq =
         2 * log(1) + log(2) + 2 * log(3); /* every piece has its scan's, nearly: of half waves a little more */
     assert_near(exp(record->summary.repeats.rq_m.mean), 1e-6 * sqrt(0.5 + 0.125) * exp(log_rq / 5), 1e-2);

@@ -11,7 +11,7 @@ static struct plan plan;
 static struct surface_record record;
 static double amplitudes_m[1 + SCANS][HARMONICS]; /* of the mean and of the scans */
 static struct member parts[SCANS];
-static struct ensemble_scan scans[SCANS];
+static double weights[SCANS];
 static const double loads[] = {1e-5, 1e-4};
 static const struct surface_task asked = {.scene = &scene, .plan = &plan, .loads = loads, .load_count = 2};
 
@@ -44,9 +44,9 @@ static void add_scans(void)
 {
     for (size_t p = 0; p < SCANS; p++) {
         parts[p] = (struct member){.spectrum = {amplitudes_m[p + 1], HARMONICS, 1e-3, false}, .scan = p};
-        scans[p] = (struct ensemble_scan){.weight = 1};
+        weights[p] = 1;
     }
-    record.ensemble = (struct ensemble){.members = parts, .count = SCANS, .scans = scans, .scan_count = SCANS};
+    record.ensemble = (struct ensemble){.members = parts, .count = SCANS, .scan_weight = weights, .scan_count = SCANS};
 }
 
 #define PLACED(name) TEST_WITH(name, make, NULL)

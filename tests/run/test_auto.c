@@ -24,7 +24,7 @@ static double plastic_change(const struct surface_record *record, const char *el
     double sigma_m = record->summary.roughness.rq_m;
     if (!a->exists)
         return 0;
-    double most = fmax(difference(a->full_load, b->full_load), difference(a->closed_load, b->closed_load));
+    double most = difference(a->full_load, b->full_load);
     if (isfinite(a->beta))
         most = fmax(most, fabs(a->beta - b->beta));
     for (size_t i = 0; i < a->count && i < b->count; i++) {

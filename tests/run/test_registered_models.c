@@ -25,7 +25,6 @@ static enum status_code stack_run(struct model_curve *curve, const struct model_
     }
     curve->count = task->load_count;
     curve->full_load = stack.full_load;
-    curve->closed_load = stack.closed_load;
     curve->beta = 0;
     curve->exists = true;
     multiscale_free(&stack);

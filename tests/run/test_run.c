@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "direct/direct_ladder.h"
+#include "direct/direct_quantities.h"
 #include "output/exchange.h"
 #include "pipeline.h"
 

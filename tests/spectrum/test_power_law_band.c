@@ -81,15 +81,11 @@ TEST_CASE(test_reference_values)
         assert_cell(band->fit.log10_amplitude_s, table, r, "log10_amplitude_s", 1e-12);
         assert_cell(log10(band->fit.wavelength_m), table, r, "log10_wavelength", 1e-12);
         assert_within(band->fit.misfit_decades, table_number(&table, r, "misfit"), 1e-12);
-        assert_int_equal(band->fit.bins, table_number(&table, r, "bins"));
         assert_cell(band->fit.band_m[0], table, r, "shortest_band_m", 1e-12);
         assert_cell(band->fit.band_m[1], table, r, "longest_band_m", 1e-12);
         assert_string_equal(power_law_band_class_names[band->law], table_text(&table, r, "class"));
 
-        double gamma[POWER_LAW_BAND_PIECES], line_m[LOG_BIN_MOST];
-        for (size_t k = 0; k < band->pieces; k++)
-            gamma[k] = band->piece[k].gamma;
-        assert_list(table_text(&table, r, "gammas"), gamma, band->pieces, 1e-9);
+        double line_m[LOG_BIN_MOST];
         assert_list(table_text(&table, r, "knees_m"), band->knee_m, band->pieces - 1, 1e-12);
         assert_list(table_text(&table, r, "lines_m"), line_m, lines_of(band, line_m), 1e-12);
     }
@@ -227,7 +223,6 @@ TEST_CASE(test_units_do_not_matter)
         sample.square_m2[i] *= 1e-18;
     const struct power_law_band *band = find(), *before = &sample.other;
     assert_int_equal(band->law, before->law);
-    assert_int_equal(band->fit.bins, before->fit.bins);
     assert_near(band->fit.gamma, before->fit.gamma, 1e-11);
     assert_near(band->fit.gamma_s, before->fit.gamma_s, 1e-11);
     assert_near(band->fit.log10_amplitude_s, before->fit.log10_amplitude_s, 1e-11);
@@ -419,7 +414,6 @@ TEST_CASE(test_a_short_piece_is_no_candidate)
             sample.square_m2[n - 1] = sample.square_m2[(n < 100 ? 100 : n > last ? last : n) - 1];
         const struct power_law_band *band = find();
         assert_int_equal(band->pieces, 3);
-        assert_within(band->piece[1].gamma, 1.2, 1e-9);
         assert_int_equal(band->law, last == 315 ? POWER_LAW_BAND_NONE : POWER_LAW_BAND_NARROW);
     }
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The joint's shape on cells that have a rough surface's own curves, against that surface solved with the bulge in its
  * heights. */
-#include "direct/direct_ladder.h"
+#include "direct/direct_quantities.h"
 #include "direct/direct_surface.h"
 #include "joint/shape.h"
 #include "statistics/coverage.h"

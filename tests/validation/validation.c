@@ -5,7 +5,7 @@
  * where a number is beyond its bound. Minutes; hence no test. cmake --workflow --preset validation */
 #include "answers/curves.h"
 #include "answers/direct_study.h"
-#include "direct/direct_ladder.h"
+#include "direct/direct_quantities.h"
 #include "direct/direct_surface.h"
 #include "directory.h"
 #include "members/surface_read.h"
