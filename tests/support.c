@@ -84,6 +84,12 @@ gsl_rng *support_random(void)
     return test_owns(gsl_rng_alloc(gsl_rng_mt19937), end_random);
 }
 
+double support_uniform(uint64_t *seed)
+{
+    *seed = *seed * 6364136223846793005u + 1442695040888963407u;
+    return (double)(*seed >> 11) * 0x1p-53;
+}
+
 static void end_text(void *text)
 {
     text_free(text);

@@ -104,6 +104,8 @@ char *lasting(const char *format, ...) __attribute__((format(printf, 1, 2)));
 void *support_room(size_t bytes);
 /** Random numbers, always the same ones; the test's. */
 gsl_rng *support_random(void);
+/** The next number of a sequence that is the same on every machine: from 0 to below 1. */
+double support_uniform(uint64_t *seed);
 /** An empty text, the test's, to be added to. */
 struct text *support_text(void);
 /** The words of the program's templates, the test's. */

@@ -4,8 +4,6 @@
 #include <math.h>
 #include <pthread.h>
 
-const double corrected_persson_largest_area = 0.97;
-
 enum { KNOTS = 16 };
 
 /** Measured on direct solutions of 48 Gaussian surfaces, Hurst exponents 0.3 ... 1, bandwidths 8 ... 512. */
@@ -159,7 +157,7 @@ void corrected_persson_curve(struct corrected_persson_point *out, const double *
         lengths(out, area_ratio, count, persson);
         return;
     }
-    double x = logit(corrected_persson_largest_area) + reach;
+    double x = logit(CORRECTED_PERSSON_LARGEST_AREA) + reach;
     struct place above = place_at(logistic(x), persson), below = place_at(logistic(x - step), persson);
     /* beyond: l p is a power of 1 - A while p hardly changes */
     double rest_m =

@@ -18,8 +18,8 @@ static inline double logistic(double logit)
     return 1 / (1 + exp(-logit));
 }
 
-/** Largest A/A_n that the direct solutions reach: 0.97. */
-extern const double corrected_persson_largest_area;
+/** Largest A/A_n that the direct solutions reach. */
+#define CORRECTED_PERSSON_LARGEST_AREA 0.97
 
 /** ln s and ln c at A/A_n (0...1, exclusive). */
 struct corrected_persson_factors {

@@ -128,6 +128,10 @@ struct model_row {
                               struct status *status);
 };
 
+/** Of the models that give corrected Persson's answers, or these times a ratio: what they compute, and how far. */
+#define MODEL_OF_CORRECTED_PERSSON                                                                                     \
+    .quantities = QUANTITY_USUAL, .largest_area = CORRECTED_PERSSON_LARGEST_AREA, .ends = true
+
 extern const struct model_row *const model_rows[];
 extern const size_t model_count; /* below 64: sets of models are bits of a uint64_t */
 

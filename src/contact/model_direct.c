@@ -30,9 +30,7 @@ const struct model_row model_direct = {
     .precedence = 9,
     .gaussian = &model_corrected_persson,
     .uses_map = true,
-    .quantities = QUANTITY_USUAL,
-    .largest_area = 0.97, /* that of corrected_persson.h */
-    .ends = true,
+    MODEL_OF_CORRECTED_PERSSON,
     .colour = "#E07B39",
     .marker = 14,
     .does = "solves the contact of the map itself, without yield",
@@ -55,10 +53,8 @@ const struct model_row model_direct_plastic = {
     .elastic = &model_direct,
     .gaussian = &model_corrected_persson_plastic,
     .uses_map = true,
-    .quantities = QUANTITY_USUAL,
+    MODEL_OF_CORRECTED_PERSSON,
     .stiffness_step = 0.1, /* one step of the grid that it lies on */
-    .largest_area = 0.97,  /* that of corrected_persson.h */
-    .ends = true,
     .colour = "#A94A0E",
     .marker = 15,
     .does = "solves the contact of the map itself, with no pressure above the hardness",

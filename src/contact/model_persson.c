@@ -22,10 +22,10 @@ static enum status_code elastic(struct strip_contact *out, size_t *count, const 
     for (; *count < loads && rc == STATUS_OK; ++*count) {
         double load = task->loads[*count];
         double at = nodes ? area[*count] : corrected_persson_area(load, persson->m2);
-        bool beyond = !(at <= corrected_persson_largest_area); /* or NaN */
+        bool beyond = !(at <= CORRECTED_PERSSON_LARGEST_AREA); /* or NaN */
         if (at <= 0 || (beyond && !task->carries_on))
             break;
-        area[*count] = beyond ? corrected_persson_largest_area : at;
+        area[*count] = beyond ? CORRECTED_PERSSON_LARGEST_AREA : at;
         out[*count] = (struct strip_contact){area[*count], NAN, NAN, area[*count] / load};
     }
     if (rc == STATUS_OK && nodes)
@@ -49,11 +49,11 @@ static void harden(struct strip_contact *contact, size_t *count, const struct pe
     for (size_t i = 0; i < *count; i++) {
         double ratio = task->loads[i] * task->pair->effective_modulus_Pa / task->hardness_Pa;
         double area = bearing_area(contact[i].area_ratio, ratio);
-        if (!(area <= corrected_persson_largest_area) && !task->carries_on) {
+        if (!(area <= CORRECTED_PERSSON_LARGEST_AREA) && !task->carries_on) {
             *count = i;
             break;
         }
-        area = fmin(area, corrected_persson_largest_area);
+        area = fmin(area, CORRECTED_PERSSON_LARGEST_AREA);
         double share = ratio / bearing_area(contact[i].least_area_per_load * task->loads[i], ratio);
         struct bearing_at at = row->uses_strip ? bearing_counted(area, task->bearing)
                                                : bearing_gaussian(area, persson->m0_m2, persson->m2);
@@ -159,7 +159,7 @@ static enum status_code run(struct model_curve *curve, const struct model_row *r
         return status_memory(status);
     enum status_code rc = solve(contact, &count, row, task, status);
     for (size_t i = 0; i < count; i++)
-        curve->carried += contact[i].area_ratio == corrected_persson_largest_area;
+        curve->carried += contact[i].area_ratio == CORRECTED_PERSSON_LARGEST_AREA;
     if (rc == STATUS_OK && row->uses_strip && task->flatter.strip)
         rc = join_flatter(contact, &count, contact + room, row, task, status);
     for (size_t i = 0; i < count && rc == STATUS_OK; i++) {
@@ -181,9 +181,7 @@ const struct model_row model_corrected_persson = {
     .label = "Gaussian heights",
     .family = "corrected-persson",
     .precedence = 5,
-    .quantities = QUANTITY_USUAL,
-    .largest_area = 0.97, /* that of corrected_persson.h */
-    .ends = true,
+    MODEL_OF_CORRECTED_PERSSON,
     .colour = "#B08BDD",
     .marker = 12,
     .does = "takes the spectrum with Gaussian heights, by Persson's theory corrected, without yield",
@@ -204,10 +202,8 @@ const struct model_row model_corrected_persson_plastic = {
     .precedence = 6,
     .plastic = true,
     .elastic = &model_corrected_persson,
-    .quantities = QUANTITY_USUAL,
+    MODEL_OF_CORRECTED_PERSSON,
     .stiffness_step = MODEL_STIFFNESS_STEP,
-    .largest_area = 0.97, /* that of corrected_persson.h */
-    .ends = true,
     .colour = "#6B3FA0",
     .marker = 13,
     .does = "takes the spectrum with Gaussian heights, by Persson's theory corrected, and lets no spot bear more than "
@@ -229,9 +225,7 @@ const struct model_row model_strip = {
     .precedence = 7,
     .gaussian = &model_corrected_persson,
     .uses_strip = true,
-    .quantities = QUANTITY_USUAL,
-    .largest_area = 0.97, /* that of corrected_persson.h */
-    .ends = true,
+    MODEL_OF_CORRECTED_PERSSON,
     .colour = "#35A27B",
     .marker = 8,
     .does = "solves the scans as strips and corrects Persson's theory by them, without yield",
@@ -254,10 +248,8 @@ const struct model_row model_strip_plastic = {
     .elastic = &model_strip,
     .gaussian = &model_corrected_persson_plastic,
     .uses_strip = true,
-    .quantities = QUANTITY_USUAL,
+    MODEL_OF_CORRECTED_PERSSON,
     .stiffness_step = 0.5, /* its separations are of few heights and lie on lines between areas */
-    .largest_area = 0.97,  /* that of corrected_persson.h */
-    .ends = true,
     .colour = "#137A56",
     .marker = 9,
     .does =

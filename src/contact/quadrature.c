@@ -69,28 +69,22 @@ enum status_code quadrature_make(struct quadrature *out, const struct quadrature
     out->beyond_fit = asperity_interference_at(asperity, asperity_fitted_radius_ratio) / sigma_s_m;
     out->radius_clamped = asperity_interference_at(asperity, 1) / sigma_s_m;
     gsl_integration_glfixed_table *rule = gsl_integration_glfixed_table_alloc(order);
-    out->node = malloc(5 * out->count * sizeof *out->node);
+    out->node = malloc(out->count * sizeof *out->node);
     if (!rule || !out->node) {
         gsl_integration_glfixed_table_free(rule);
         return status_memory(status);
     }
-    out->area = out->node + out->count;
-    out->load = out->area + out->count;
-    out->radius = out->load + out->count;
-    out->radius_scale_dependent = out->radius + out->count;
     for (size_t p = 0, k = 0; p < panel_count; p++)
         for (size_t i = 0; i < order; i++, k++) {
             double t, weight;
             gsl_integration_glfixed_point(border[p], border[p + 1], i, &t, &weight, rule);
             weight *= 2 * t * inverse_sqrt_2pi; /* du = 2 t dt */
             struct asperity_contact contact;
-            out->node[k] = t * t;
             asperity_models[law->law].press(&contact, asperity, sigma_s_m * t * t);
-            out->area[k] = weight * contact.area_m2;
-            out->load[k] = weight * contact.load_N;
-            out->radius[k] = weight * contact.radius_m;
-            out->radius_scale_dependent[k] =
-                weight * contact.radius_m * (contact.radius_m / (contact.radius_m + knudsen_length_m));
+            double radius = weight * contact.radius_m;
+            out->node[k] =
+                (struct quadrature_node){t * t, weight * contact.area_m2, weight * contact.load_N, radius,
+                                         radius * (contact.radius_m / (contact.radius_m + knudsen_length_m))};
         }
     gsl_integration_glfixed_table_free(rule);
     return STATUS_OK;
@@ -98,7 +92,7 @@ enum status_code quadrature_make(struct quadrature *out, const struct quadrature
 
 void quadrature_free(struct quadrature *panels)
 {
-    free(panels->node); /* with the other arrays behind it */
+    free(panels->node);
     *panels = (struct quadrature){0};
 }
 
@@ -107,10 +101,10 @@ static void find_range(size_t range[2], const struct quadrature *panels, double 
 {
     double last = reach(d, panels->log_cut), first = -d - sqrt(2 * panels->log_cut);
     range[0] = 0;
-    while (range[0] < panels->count && panels->node[range[0]] < first)
+    while (range[0] < panels->count && panels->node[range[0]].u < first)
         range[0]++;
     range[1] = range[0];
-    while (range[1] < panels->count && panels->node[range[1]] <= last)
+    while (range[1] < panels->count && panels->node[range[1]].u <= last)
         range[1]++;
 }
 
@@ -132,31 +126,30 @@ void quadrature_sum(struct quadrature_sums *out, const struct quadrature *panels
     size_t range[2];
     find_range(range, panels, d);
     for (size_t k = range[0]; k < range[1]; k++) {
-        double u = panels->node[k], weight = weight_at(u, d), load = weight * panels->load[k];
-        out->area += weight * panels->area[k];
+        const struct quadrature_node *node = &panels->node[k];
+        double weight = weight_at(node->u, d), load = weight * node->load;
+        out->area += weight * node->area;
         out->load += load;
-        if (u > panels->beyond_fit)
+        if (node->u > panels->beyond_fit)
             out->load_beyond_fit += load;
-        if (u > panels->radius_clamped)
+        if (node->u > panels->radius_clamped)
             out->load_radius_clamped += load;
-        out->radius += weight * panels->radius[k];
-        out->radius_scale_dependent += weight * panels->radius_scale_dependent[k];
+        out->radius += weight * node->radius;
+        out->radius_scale_dependent += weight * node->radius_scale_dependent;
     }
 }
 
-void quadrature_moments(double moment[3], double *log_factor, const struct quadrature *panels, const double *law,
-                        double d)
+void quadrature_moments(double moment[3], double *log_factor, const struct quadrature *panels, bool area, double d)
 {
     size_t range[2];
     for (int j = 0; j < 3; j++)
         moment[j] = 0;
     find_range(range, panels, d);
     for (size_t k = range[0]; k < range[1]; k++) {
-        double u = panels->node[k], term = weight_at(u, d) * law[k];
-        for (int j = 0; j < 3; j++) {
+        const struct quadrature_node *node = &panels->node[k];
+        double term = weight_at(node->u, d) * (area ? node->area : node->load);
+        for (int j = 0; j < 3; j++, term *= node->u)
             moment[j] += term;
-            term *= u;
-        }
     }
     *log_factor = log_factor_at(d);
 }
@@ -165,10 +158,11 @@ double quadrature_mean_radius(const struct quadrature *panels, double d)
 {
     double area = 0, area_radius = 0;
     for (size_t k = 0; k < panels->count; k++) {
-        double weight = weight_at(panels->node[k], d) * panels->area[k];
+        const struct quadrature_node *node = &panels->node[k];
+        double weight = weight_at(node->u, d) * node->area;
         area += weight;
-        if (panels->radius[k] > 0)
-            area_radius += weight * (panels->area[k] / (M_PI * panels->radius[k])); /* pi a²/(pi a) */
+        if (node->radius > 0)
+            area_radius += weight * (node->area / (M_PI * node->radius)); /* pi a²/(pi a) */
     }
     return area_radius / area;
 }

@@ -15,18 +15,19 @@ struct quadrature_law {
     double knudsen_length_m; /* 0: no scale dependence */
 };
 
-/** Ascending nodes u = omega/sigma_s with quadrature weight times law, 1/sqrt(2 pi) of the Gaussian included. Owned:
- * quadrature_free(). */
+/** u = omega/sigma_s; the rest is the law times the quadrature weight, 1/sqrt(2 pi) of the Gaussian included. */
+struct quadrature_node {
+    double u, area, load, radius;  /* m², N, m */
+    double radius_scale_dependent; /* a²/(a + knudsen length) [m] */
+};
+
+/** Owned: quadrature_free(). */
 struct quadrature {
     size_t count;
-    double *node;                   /* u */
-    double *area;                   /* weight * area [m²] */
-    double *load;                   /* weight * load [N] */
-    double *radius;                 /* weight * a [m] */
-    double *radius_scale_dependent; /* weight * a²/(a + knudsen length) [m] */
-    double beyond_fit;              /* u from which a/R > 0.41 */
-    double radius_clamped;          /* u from which a/R is clamped to 1 */
-    double log_cut;                 /* terms below exp(-log_cut) of the largest are left out */
+    struct quadrature_node *node; /* ascending u */
+    double beyond_fit;            /* u from which a/R > 0.41 */
+    double radius_clamped;        /* u from which a/R is clamped to 1 */
+    double log_cut;               /* terms below exp(-log_cut) of the largest are left out */
 };
 
 /** int law(sigma_s u) phi(u + d) du over u > 0, without the factor exp(log_factor). */
@@ -46,10 +47,9 @@ void quadrature_free(struct quadrature *panels);
 /** All sums at separation d (in sigma_s) under the Gaussian of (4.23), d >= the lowest_d of quadrature_make(). */
 void quadrature_sum(struct quadrature_sums *out, const struct quadrature *panels, double d);
 
-/** sum_k law[k] u_k^j of the Gaussian at d, j = 0, 1, 2, without exp(*log_factor): they give the derivatives of an
- * integral with respect to d. `law` is panels->area or panels->load. */
-void quadrature_moments(double moment[3], double *log_factor, const struct quadrature *panels, const double *law,
-                        double d);
+/** sum_k law_k u_k^j of the Gaussian at d, j = 0, 1, 2, without exp(*log_factor): they give the derivatives of the
+ * integral of the area, or of the load, with respect to d. */
+void quadrature_moments(double moment[3], double *log_factor, const struct quadrature *panels, bool area, double d);
 
 /** Mean spot radius over the area of contact, int a³ phi/int a² phi [m], at separation d (in sigma_s). */
 double quadrature_mean_radius(const struct quadrature *panels, double d);

@@ -55,7 +55,7 @@ static struct logarithm panel_logarithm(const struct statistical *model, bool ar
 {
     double sum[3], log_factor;
     double scale = model->surface.density_per_m2 / (area ? 1 : model->asperity.effective_modulus_Pa);
-    quadrature_moments(sum, &log_factor, &model->panels, area ? model->panels.area : model->panels.load, d);
+    quadrature_moments(sum, &log_factor, &model->panels, area, d);
     double mean = sum[1] / sum[0];
     return (struct logarithm){log(scale * sum[0]) + log_factor, -mean - d, sum[2] / sum[0] - mean * mean - 1};
 }

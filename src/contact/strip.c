@@ -323,7 +323,7 @@ static const double grid_step = 0.075; /* in logit A */
 static size_t range_of(double range[2], const struct strip *strip)
 {
     range[0] = strip->own.logit[0];
-    range[1] = logit(corrected_persson_largest_area);
+    range[1] = logit(CORRECTED_PERSSON_LARGEST_AREA);
     for (size_t s = 0; s < strip->surrogates; s++)
         range[0] = fmin(range[0], strip->surrogate[s].logit[0]);
     range[0] = fmin(range[0], range[1] - grid_step);

@@ -49,7 +49,7 @@ static void add_gaussian(struct strip_curve *out, const struct persson *persson)
 static void make_strip(struct strip *out, const struct transfer_point *point, size_t count,
                        const struct persson *persson)
 {
-    const double last = logit(corrected_persson_largest_area);
+    const double last = logit(CORRECTED_PERSSON_LARGEST_AREA);
     struct strip_curve *own = &out->own;
     double before = -INFINITY, known[3] = {0};
     *out = (struct strip){.surrogates = 1};
@@ -72,7 +72,7 @@ static void make_strip(struct strip *out, const struct transfer_point *point, si
 /** The mean ratio of the squares, as a strip of the whole surface. */
 static void join(struct strip *out, const struct strip *strip, size_t count, const struct persson *persson)
 {
-    const double last = logit(corrected_persson_largest_area);
+    const double last = logit(CORRECTED_PERSSON_LARGEST_AREA);
     struct strip_curve *own = &out->own;
     double low = 0;
     *out = (struct strip){.surrogates = 1};
@@ -110,7 +110,7 @@ static bool add_point(struct transfer_curve *curve, const struct transfer_point 
 {
     double value[3];
     put_ln(value, point);
-    if (!(point->area_ratio <= corrected_persson_largest_area) || !isfinite(value[0] + value[1] + value[2]))
+    if (!(point->area_ratio <= CORRECTED_PERSSON_LARGEST_AREA) || !isfinite(value[0] + value[1] + value[2]))
         return false;
     curve->ln_load[curve->count] = log(point->load);
     memcpy(curve->value[curve->count++], value, sizeof value);

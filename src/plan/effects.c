@@ -15,7 +15,7 @@ static const double heights_factor = 4;
 /** Pressure in contact over hardness at the largest area of the corrected theory, where it is highest. */
 static double pressure_over_hardness(const struct spectrum *spectrum, const struct material_pair *pair)
 {
-    double m2 = spectrum_moment(spectrum, 1), area = corrected_persson_largest_area;
+    double m2 = spectrum_moment(spectrum, 1), area = CORRECTED_PERSSON_LARGEST_AREA;
     double pressure_Pa = m2 > 0 ? corrected_persson_load(area, m2) / area * pair->effective_modulus_Pa : 0;
     return heights_factor * pressure_Pa / pair->hardness_Pa;
 }

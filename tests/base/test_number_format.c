@@ -108,8 +108,7 @@ TEST_CASE(test_exact)
     for (size_t k = 0; k < listed + RANDOM; k++) {
         char expected[64];
         struct text text = {0};
-        drawn = drawn * 6364136223846793005u + 1442695040888963407u;
-        double share = (double)(drawn >> 11) * 0x1p-53;
+        double share = support_uniform(&drawn);
         double any = ldexp(1 + share, (int)(drawn % 140) - 90),
                rounded = (double)(drawn >> 50) * pow(10, (double)(k % 9) - 6);
         double value = k < listed ? some[k] : k % 3 ? any : rounded;

@@ -74,7 +74,6 @@ TEST_IN_WORKSPACE(test_directories)
     expect_failure(place, 4, 1, "cannot open directory 'nowhere': No such file", "report", "nowhere");
     expect_failure(place, 4, 1, "'file' is no directory; name the one that holds the scans", "report", "file");
     expect_failure(place, 4, 1, "cannot open directory ''", "report", "");
-    expect_failure(place, 4, 1, "cannot open directory 'nowhere'", "plan", "nowhere");
     workspace_folder(place, "d/scene.yaml");
     expect_failure(place, 3, 1, "'d/scene.yaml' is no regular file", "report", "d");
     assert_false(workspace_has(place, "out"));

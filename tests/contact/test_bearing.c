@@ -184,7 +184,7 @@ TEST_CASE(models)
     }
     for (int m = 0; m < 4; m++) {
         assert_true(curve[m].exists && curve[m].count > 3 && curve[m].count < MODEL_LOADS);
-        assert_true(points[m][curve[m].count - 1].value[QUANTITY_AREA] <= corrected_persson_largest_area);
+        assert_true(points[m][curve[m].count - 1].value[QUANTITY_AREA] <= CORRECTED_PERSSON_LARGEST_AREA);
     }
     task.hardness_Pa = 1e-3 * pair.effective_modulus_Pa; /* all yields: A = P/H */
     (void)model_support_run(points[3], names[3], &task);

@@ -41,16 +41,9 @@ TEST_CASE(test_numbers_beyond_double)
     }
 }
 
-/** A number of a fixed sequence, 0...1. */
-static double next_share(uint64_t *seed)
-{
-    *seed = *seed * UINT64_C(6364136223846793005) + UINT64_C(1442695040888963407);
-    return (double)(*seed >> 11) / 9007199254740992.0;
-}
-
 static size_t next_below(uint64_t *seed, size_t count)
 {
-    return (size_t)(next_share(seed) * (double)count);
+    return (size_t)(support_uniform(seed) * (double)count);
 }
 
 /** Is every quantity of the point unknown, but for those? */
@@ -74,7 +67,7 @@ TEST_CASE(test_any_task)
     struct material_pair pair = model_support_tin();
     size_t existing[64] = {0};
     for (int t = 0; t < TASKS; t++) {
-        double load[MODEL_LOADS], gamma = 2 * next_share(&seed), size = pow(10, 4 * next_share(&seed) - 3);
+        double load[MODEL_LOADS], gamma = 2 * support_uniform(&seed), size = pow(10, 4 * support_uniform(&seed) - 3);
         size_t count = 1 + next_below(&seed, HARMONICS_MOST), loads = 1 + next_below(&seed, MODEL_LOADS);
         struct spectrum spectrum = model_support_law(3e-4, size, gamma, count);
         if (t % 7 == 0)
@@ -91,20 +84,21 @@ TEST_CASE(test_any_task)
         double row[HEIGHTS_MOST];
         size_t points = next_below(&seed, HEIGHTS_MOST + 1);
         for (size_t i = 0; i < points; i++)
-            row[i] = 1e-6 * next_share(&seed);
+            row[i] = 1e-6 * support_uniform(&seed);
         struct strip_rows rows = {row, 1, points, 1e-6, t % 2, NULL, 0};
         struct strip strip = {
             .own = {.count = 3, .logit = {-4, -1, 2}, .value = {{-9, 1, 2}, {-5, 0, 1}, {-3, -2, -1}}},
             .surrogate[0] = {.count = 1, .logit = {-1}, .value = {{-6, 0, 1}}},
             .surrogates = 1};
-        model_support_loads(load, loads, pow(10, -8 + 4 * next_share(&seed)), pow(10, -3 + 4 * next_share(&seed)));
+        model_support_loads(load, loads, pow(10, -8 + 4 * support_uniform(&seed)),
+                            pow(10, -3 + 4 * support_uniform(&seed)));
         struct model_task task = model_support_task(&spectrum, &pair, load, loads);
         task.asperities = rough ? &asperities : NULL;
         task.wanted = QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) |
                       (MODEL_EVERYTHING & (unsigned)next_below(&seed, 1u << QUANTITY_COUNT));
         task.tolerance = t % 2 ? 1e-4 : 1e-8;
         task.sinusoid_fit = t % 4 == 0 ? SINUSOID_FIT_NUMERIC : SINUSOID_FIT_THESIS;
-        task.hardness_Pa = pow(10, 6 + 3 * next_share(&seed));
+        task.hardness_Pa = pow(10, 6 + 3 * support_uniform(&seed));
         task.transfer = t % 2 ? &transfer : NULL;
         if (points > 1) {
             task.strip = &strip;

@@ -226,7 +226,7 @@ TEST_CASE(carried_on)
         assert_in_range(alone.count, 1, LOADS - 1);
         assert_int_equal(curve.count, LOADS);
         assert_int_equal(curve.carried, LOADS - alone.count);
-        assert_near(point[LOADS - 1].value[QUANTITY_AREA], corrected_persson_largest_area, 0);
+        assert_near(point[LOADS - 1].value[QUANTITY_AREA], CORRECTED_PERSSON_LARGEST_AREA, 0);
         assert_near(point[0].value[QUANTITY_ECR], own[0].value[QUANTITY_ECR], 1e-9);
     }
 }

@@ -80,21 +80,16 @@ static size_t walk(struct contact_point *out, size_t *open, const struct sinusoi
     return limited;
 }
 
-static double uniform(uint64_t *state)
-{
-    *state = *state * 6364136223846793005u + 1442695040888963407u;
-    return (double)(*state >> 11) * 0x1p-53;
-}
-
 /** A law with scatter, some harmonics missing; flat, steep, and of one slope; up to a thousand times too rough. */
 static struct spectrum random_spectrum(uint64_t *state)
 {
     static const size_t counts[] = {1, 2, 16, 17, 100, 777};
-    double gamma = uniform(state) < 0.2 ? 1 : 0.2 + 2.8 * uniform(state), scatter = uniform(state) < 0.3 ? 0 : 1.2;
-    struct spectrum out = model_support_law(3e-4, 1, gamma, counts[(size_t)(6 * uniform(state))]);
-    double slope = pow(10, -4 + 5 * uniform(state)) * 3e-4 / out.amplitude_m[0];
+    double gamma = support_uniform(state) < 0.2 ? 1 : 0.2 + 2.8 * support_uniform(state),
+           scatter = support_uniform(state) < 0.3 ? 0 : 1.2;
+    struct spectrum out = model_support_law(3e-4, 1, gamma, counts[(size_t)(6 * support_uniform(state))]);
+    double slope = pow(10, -4 + 5 * support_uniform(state)) * 3e-4 / out.amplitude_m[0];
     for (size_t i = 0; i < out.count; i++)
-        out.amplitude_m[i] *= uniform(state) < 0.02 ? 0 : slope * exp(scatter * (uniform(state) - 0.5));
+        out.amplitude_m[i] *= support_uniform(state) < 0.02 ? 0 : slope * exp(scatter * (support_uniform(state) - 0.5));
     return out;
 }
 
@@ -156,7 +151,7 @@ TEST_CASE(scales_that_just_yield)
         struct sinusoid_scale scales[SCALES];
         for (size_t i = 0; i < SCALES; i++) {
             double frequency = spectrum_frequency(&spectrum, i);
-            spectrum.amplitude_m[i] = ordered_Pa * (0.995 + 0.01 * uniform(&random)) /
+            spectrum.amplitude_m[i] = ordered_Pa * (0.995 + 0.01 * support_uniform(&random)) /
                                       sinusoid_full_pressure(1, frequency, pair.effective_modulus_Pa);
             scales[i] = sinusoid_scale(spectrum.amplitude_m[i], frequency, &pair, true);
         }
@@ -225,7 +220,8 @@ TEST_CASE(the_longest_closing_scale)
         for (size_t i = 0; i < spectrum.count; i++)
             scales[i] = sinusoid_scale(spectrum.amplitude_m[i], spectrum_frequency(&spectrum, i), &pair, plastic);
         struct multiscale stack = model_support_stack(&spectrum, &pair, plastic, closure);
-        double low = stack.closed_load * pow(10, -3 * uniform(&random)), high = low * (1 + uniform(&random));
+        double low = stack.closed_load * pow(10, -3 * support_uniform(&random)),
+               high = low * (1 + support_uniform(&random));
         size_t longest = 0;
         while (longest < spectrum.count &&
                (is_complete(scales, longest, fit, &pair, low) || !is_complete(scales, longest, fit, &pair, high)))

@@ -72,8 +72,8 @@ TEST_CASE(moments_are_derivatives)
         quadrature_sum(&sums, &model.panels, d);
         quadrature_sum(&before, &model.panels, d - step);
         quadrature_sum(&after, &model.panels, d + step);
-        quadrature_moments(moment[0], &log_factor, &model.panels, model.panels.area, d);
-        quadrature_moments(moment[1], &log_factor, &model.panels, model.panels.load, d);
+        quadrature_moments(moment[0], &log_factor, &model.panels, true, d);
+        quadrature_moments(moment[1], &log_factor, &model.panels, false, d);
         assert_true(log_factor == sums.log_factor);
         assert_near(moment[0][0], sums.area, 1e-15);
         assert_near(moment[1][0], sums.load, 1e-15);

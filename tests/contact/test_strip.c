@@ -3,8 +3,7 @@
 #include "contact/corrected_persson.h"
 #include "contact/model.h"
 #include "contact/strip.h"
-#include "direct/direct_quantities.h"
-#include "direct/direct_surface.h"
+#include "direct_points.h"
 #include "model_support.h"
 
 enum { POINTS = 1024, ROWS = 4 };
@@ -118,7 +117,7 @@ TEST_CASE(areas)
     areas_of(area, loads, LOADS, &strip, 0.04);
     for (size_t i = 0; i < LOADS; i++) {
         double expected = corrected_persson_area(loads[i], 0.04);
-        if (expected > corrected_persson_largest_area)
+        if (expected > CORRECTED_PERSSON_LARGEST_AREA)
             assert_true(isnan(area[i]));
         else
             assert_near(area[i], expected, 2e-4);
@@ -226,12 +225,6 @@ TEST_CASE(nothing_to_solve)
 enum { SIDE = 128, TRUTHS = 4, LINES = 5 };
 
 /** Four longest waves, Hurst exponent 0.8, down to 8 points. */
-static double variance(double r, const void *context)
-{
-    (void)context;
-    return r > SIDE / 8.0 ? 0 : pow(fmax(r, 4), -3.6);
-}
-
 /** rms ln of area, gap and constriction length by the corrected theory (ratio NULL) or the strip, over the truths. */
 static void errors(double rms[3], const struct strip *strip, const struct persson *persson, const double *loads,
                    const struct direct_point *truth)
@@ -283,14 +276,15 @@ TEST_CASE(prepared_for_a_surface)
 /** Two surfaces of one spectrum solved directly, Gaussian and with deep pits, against five of their rows. */
 TEST_CASE(against_direct_solutions)
 {
+    static const double waves[] = {4, SIDE / 8.0, 3.6};
     double *height = support_room(SIDE * SIDE * sizeof *height), row[LINES * SIDE], given[1000];
     for (size_t i = 0; i < 1000; i++)
         given[i] = log(((double)i + 0.5) / 1000);
     for (int pits = 0; pits < 2; pits++) {
         double loads[TRUTHS], rms[3];
         struct direct_point truth[TRUTHS];
-        expect_ok(direct_surface_make, height, SIDE, &(struct direct_recipe){variance, NULL, pits ? given : NULL, 1000},
-                  1);
+        expect_ok(direct_surface_make, height, SIDE,
+                  &(struct direct_recipe){band_variance, waves, pits ? given : NULL, 1000}, 1);
         for (size_t k = 0; k < SIDE * SIDE; k++)
             height[k] *= 1e-6;
         for (size_t r = 0; r < LINES; r++)

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "direct_points.h"
 #include "direct_support.h"
 
 #include "direct/direct_ensemble.h"
@@ -116,12 +117,6 @@ TEST_CASE(refused_maps)
                  &(struct direct_map_def){16, 16, 1, 1, false, 0, false}, 400);
 }
 
-/** v(r) flat up to *context waves in the cell, falling with Hurst exponent 0.8 up to 16. */
-static double rolled_off(double r, const void *context)
-{
-    return r > 16 ? 0 : pow(fmax(r, *(const double *)context), -3.6);
-}
-
 enum { MIRROR_LOADS = 3 };
 static const double mirror_loads[MIRROR_LOADS] = {0.03, 0.1, 0.3}; /* over the root mean square gradient */
 
@@ -145,14 +140,14 @@ TEST_CASE(mirrored_periodic_surface)
 {
     enum { N = 128, SEEDS = 4 };
     static const struct {
-        double waves, area, gap, constriction; /* most by which a mean differs from 1 */
-    } cases[] = {{1, 0.06, 0.25, 0.30}, {4, 0.02, 0.035, 0.04}};
+        double waves[3], area, gap, constriction; /* most by which a mean differs from 1 */
+    } cases[] = {{{1, 16, 3.6}, 0.06, 0.25, 0.30}, {{4, 16, 3.6}, 0.02, 0.035, 0.04}};
     double *height = support_room(N * N * sizeof *height), change[2] = {0};
     for (size_t c = 0; c < 2; c++) {
         double mean[MIRROR_LOADS][3] = {{0}};
         for (uint64_t seed = 1; seed <= SEEDS; seed++) {
             struct direct_point periodic[MIRROR_LOADS], mirrored[MIRROR_LOADS];
-            expect_ok(direct_surface_make, height, N, &(struct direct_recipe){rolled_off, &cases[c].waves, NULL, 0},
+            expect_ok(direct_surface_make, height, N, &(struct direct_recipe){band_variance, cases[c].waves, NULL, 0},
                       seed);
             struct direct_map map = map_of(height, N);
             double gradient = gradient_of(height, N, 1);
@@ -175,14 +170,6 @@ TEST_CASE(mirrored_periodic_surface)
     assert_true(change[0] > 3 * change[1] && change[1] > 0.005);
 }
 
-/** Waves of a surface whose map is conditioned: from waves[0] in the cell on, falling with Hurst exponent 0.8, to
- * waves[1]. */
-static double band(double r, const void *context)
-{
-    const double *waves = context;
-    return r > waves[1] ? 0 : pow(fmax(r, waves[0]), -3.6);
-}
-
 /** Uniform within +-1, from whole numbers. */
 static double noise(size_t k)
 {
@@ -198,14 +185,15 @@ struct held {
 static void hold(struct held out[3], bool skewed, size_t n, double noisy, uint64_t seed)
 {
     enum { N = 128, GIVEN = 999 };
-    static const double waves[] = {5, 11};
+    static const double waves[] = {5, 11, 3.6};
     double *height = support_room(N * N * sizeof *height), *seen = support_room(n * n * sizeof *seen), given[GIVEN];
     double load[MIRROR_LOADS];
     struct direct_point truth[MIRROR_LOADS];
     struct status status = {0};
     for (size_t k = 0; k < GIVEN; k++) /* exponential: peaks on a plain */
         given[k] = -log(((double)k + 0.5) / GIVEN);
-    expect_ok(direct_surface_make, height, N, &(struct direct_recipe){band, waves, skewed ? given : NULL, GIVEN}, seed);
+    expect_ok(direct_surface_make, height, N,
+              &(struct direct_recipe){band_variance, waves, skewed ? given : NULL, GIVEN}, seed);
     double gradient = gradient_of(height, N, 1), tilt = n < N ? 10 * gradient : 0;
     solve_grid(truth, height, (struct direct_grid){N, N, 1, false, false}, gradient);
     for (size_t k = 0; k < n * n; k++)

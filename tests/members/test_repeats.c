@@ -285,12 +285,6 @@ TEST_CASE(the_end_of_curves)
     assert_true(isnan(result.band[curve.count].mean[QUANTITY_AREA][0]));
 }
 
-static double uniform(uint64_t *seed)
-{
-    *seed = *seed * 6364136223846793005u + 1442695040888963407u;
-    return (double)(*seed >> 11) * 0x1p-53;
-}
-
 /** Ends of an interval of a positive number: none, or about the number with a width, above 0 and up to `most`. */
 static size_t assert_about(const double end[2], double value, double most)
 {
@@ -313,18 +307,18 @@ TEST_CASE(intervals_of_random_records)
     size_t known[QUANTITY_COUNT] = {0}, unknown = 0;
     for (int run = 0; run < SETS * MODELS; run++) {
         const struct model_row *model = model_rows[model_named(names[run % MODELS])];
-        size_t count = 2 + (size_t)(4 * uniform(&seed)), scan[PARTS];
-        bool rows = uniform(&seed) < 0.25;
-        double amplitude_m[PARTS][HARMONICS], weight[PARTS], scale = pow(10, -7 + 2 * uniform(&seed));
+        size_t count = 2 + (size_t)(4 * support_uniform(&seed)), scan[PARTS];
+        bool rows = support_uniform(&seed) < 0.25;
+        double amplitude_m[PARTS][HARMONICS], weight[PARTS], scale = pow(10, -7 + 2 * support_uniform(&seed));
         for (size_t p = 0; p < count; p++) {
             scan[p] = rows ? 0 : p;
-            weight[p] = 1 + floor(3 * uniform(&seed));
+            weight[p] = 1 + floor(3 * support_uniform(&seed));
         }
         struct ensemble set = set_of(count, scan, weight);
         for (size_t p = 0; p < count; p++) {
-            double own = scale * exp(uniform(&seed));
+            double own = scale * exp(support_uniform(&seed));
             for (int n = 0; n < HARMONICS; n++)
-                amplitude_m[p][n] = own * exp(uniform(&seed)) * pow(n + 1, -1.4);
+                amplitude_m[p][n] = own * exp(support_uniform(&seed)) * pow(n + 1, -1.4);
             parts[p].spectrum = (struct spectrum){amplitude_m[p], HARMONICS, 1e-4, false};
             roughness_from_spectrum(&parts[p].roughness, &parts[p].spectrum);
             set.sigma_m = hypot(set.sigma_m, sqrt(parts[p].roughness.m0_m2 / (double)count));

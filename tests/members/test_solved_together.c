@@ -1,28 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What is solved on several threads is the same to the byte, whatever their number. */
-#include "direct/direct_surface.h"
+#include "direct_points.h"
 #include "members/scan_strips.h"
 #include "members/tiles.h"
-#include "support.h"
 
 enum { SIDE = 64, WIDE = 160 };
-
-static double variance(double r, const void *context)
-{
-    (void)context;
-    return r > 40 ? 0 : pow(fmax(r, 10), -3.6);
-}
 
 /** Heights of rms 1 um of which `nx` of every row are taken, malloc'ed. */
 static double *heights(size_t nx, size_t ny)
 {
-    double *surface = support_room((size_t)WIDE * WIDE * sizeof *surface), square = 0;
-    double *out = malloc(nx * ny * sizeof *out);
-    expect_ok(direct_surface_make, surface, WIDE, &(struct direct_recipe){variance, NULL, NULL, 0}, 1);
-    for (size_t k = 0; k < WIDE * WIDE; k++)
-        square += surface[k] * surface[k] / (WIDE * WIDE);
+    double *surface = band_surface(WIDE, (const double[]){10, 40, 3.6}, 1), *out = malloc(nx * ny * sizeof *out);
     for (size_t k = 0; k < nx * ny; k++)
-        out[k] = 1e-6 * surface[k / nx * WIDE + k % nx] / sqrt(square);
+        out[k] = 1e-6 * surface[k / nx * WIDE + k % nx];
     return out;
 }
 

@@ -237,25 +237,33 @@ FREED(solved)
     expect_parts(strips.problem.message, "is flat"); /* the note's reason */
 }
 
-/* With a hardness every scan uses its own bearing curve; scans not solved alone have no answer. */
-FREED(scans_alone)
+/* Three scans, joined and each alone, and the task of the second under the joined strip. */
+static struct model_task three_scans(const double *loads, size_t count)
 {
-    static const double load = 1e-3;
-    const struct material_pair tin = material_pair(material_find("tin"), MATERIAL_COUNTERFACE_RIGID, NULL);
-    const struct model_row *model = model_rows[model_named("strip-plastic")];
+    static struct material_pair tin;
+    tin = material_pair(material_find("tin"), MATERIAL_COUNTERFACE_RIGID, NULL);
     for (size_t p = 0; p < 3; p++)
         add(p, POINTS, 1e-6);
     gather();
     assert_int_equal(solve(&test_alone), STATUS_OK);
-    struct model_task task = {.spectrum = &set.members[1].spectrum,
-                              .pair = &tin,
-                              .loads = &load,
-                              .load_count = 1,
-                              .wanted = quantity_wanted((1u << EFFECT_COUNT) - 1),
-                              .tolerance = 1e-8,
-                              .hardness_Pa = 0.1 * tin.effective_modulus_Pa,
-                              .strip = &strips.joined->strip,
-                              .bearing = &strips.joined->bearing};
+    return (struct model_task){.spectrum = &set.members[1].spectrum,
+                               .pair = &tin,
+                               .loads = loads,
+                               .load_count = count,
+                               .wanted = quantity_wanted((1u << EFFECT_COUNT) - 1),
+                               .tolerance = 1e-8,
+                               .hardness_Pa = NAN,
+                               .strip = &strips.joined->strip};
+}
+
+/* With a hardness every scan uses its own bearing curve; scans not solved alone have no answer. */
+FREED(scans_alone)
+{
+    static const double load = 1e-3;
+    const struct model_row *model = model_rows[model_named("strip-plastic")];
+    struct model_task task = three_scans(&load, 1);
+    task.hardness_Pa = 0.1 * task.pair->effective_modulus_Pa;
+    task.bearing = &strips.joined->bearing;
     for (size_t left = 3; left > 0; left--) { /* the others are not solved */
         struct ensemble_curves curves;
         expect_ok(ensemble_run, &curves, &set, model, &task, NULL);
@@ -292,20 +300,8 @@ FREED(a_curve_from_strips)
 {
     static const double loads[LOADS] = {1e-5, 1e-4, 1e-3, 2e-3, 4e-3};
     static const enum quantity quantities[] = {QUANTITY_AREA, QUANTITY_SEPARATION, QUANTITY_ECR};
-    const struct material_pair pair = material_pair(material_find("tin"), MATERIAL_COUNTERFACE_RIGID, NULL);
     const struct model_row *model = model_rows[model_named("strip")];
-    for (size_t p = 0; p < 3; p++)
-        add(p, POINTS, 1e-6);
-    gather();
-    assert_int_equal(solve(&test_alone), STATUS_OK);
-    struct model_task task = {.spectrum = &set.members[1].spectrum,
-                              .pair = &pair,
-                              .loads = loads,
-                              .load_count = LOADS,
-                              .wanted = quantity_wanted((1u << EFFECT_COUNT) - 1),
-                              .tolerance = 1e-8,
-                              .hardness_Pa = NAN,
-                              .strip = &strips.joined->strip};
+    struct model_task task = three_scans(loads, LOADS);
     struct contact_point points[LOADS + 1], own_points[4][LOADS + 1];
     struct model_curve curve, own[4];
     for (size_t p = 0; p < 4; p++) { /* the fourth is the joined rows' */

@@ -398,10 +398,8 @@ PLACED(test_a_knee_widens_the_laws_interval)
     uint64_t seed = 1;
     for (int i = 0; i < LAWS; i++) {
         make_law(height_m, i, LAW_POINTS);
-        for (size_t k = 0; k < LAW_POINTS; k++) {
-            seed = seed * 6364136223846793005u + 1442695040888963407u;
-            height_m[k] += 3e-6 * (double)(int64_t)seed * 0x1p-63;
-        }
+        for (size_t k = 0; k < LAW_POINTS; k++)
+            height_m[k] += 3e-6 * (2 * support_uniform(&seed) - 1);
         write_scan(names[i], height_m, LAW_POINTS, 1);
     }
     scene.fit = POWER_LAW_AUTO;

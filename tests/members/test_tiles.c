@@ -3,24 +3,12 @@
  * pressed together. */
 #include "members/tiles.h"
 
-#include "direct/direct_quantities.h"
-#include "direct/direct_surface.h"
-#include "support.h"
+#include "direct_points.h"
 
 enum { SIDE = 64 };
 
-static double variance(double r, const void *context)
-{
-    (void)context;
-    return r > 24 ? 0 : pow(fmax(r, 4), -3.6);
-}
-
-/** Waves up to four times as long as a map of a surface of 4 SIDE. */
-static double long_waves(double r, const void *context)
-{
-    (void)context;
-    return r > 48 ? 0 : pow(r, -3.4);
-}
+static const double few_waves[] = {4, 24, 3.6},
+                    long_waves[] = {1, 48, 3.4}; /* long: four times as long as a map of 4 SIDE */
 
 /** How the heights of a Gaussian surface are changed. */
 static double as_they_are(double z)
@@ -47,19 +35,15 @@ static double spiky(double z)
 }
 
 /** A map of nx by ny heights, 1 um apart, cut from a surface of n by n so that it does not close. */
-static struct tiles cut(size_t nx, size_t ny, uint64_t seed, double (*look)(double), size_t n,
-                        double (*power)(double r, const void *context))
+static struct tiles cut(size_t nx, size_t ny, uint64_t seed, double (*look)(double), size_t n, const double band[3])
 {
-    double *surface = support_room(n * n * sizeof *surface), square = 0;
+    double *surface = band_surface(n, band, seed);
     struct scan scan = {.kind = SCAN_AREAL, .nx = nx, .ny = ny, .dx_m = 1e-6, .dy_m = 1e-6};
     struct tiles tiles = {.height_m = NULL};
     scan.z_m = malloc(nx * ny * sizeof *scan.z_m);
     assert_non_null(scan.z_m);
-    expect_ok(direct_surface_make, surface, n, &(struct direct_recipe){power, NULL, NULL, 0}, seed);
-    for (size_t k = 0; k < n * n; k++)
-        square += surface[k] * surface[k] / (double)(n * n);
     for (size_t k = 0; k < nx * ny; k++)
-        scan.z_m[k] = 1e-6 * look(surface[k / nx * n + k % nx] / sqrt(square));
+        scan.z_m[k] = 1e-6 * look(surface[k / nx * n + k % nx]);
     const struct direct_map_def def = {nx, ny, 1e-6, 1e-6, false, 0, false};
     tiles_take(&tiles, &scan, &def);
     assert_null(scan.z_m);
@@ -69,7 +53,7 @@ static struct tiles cut(size_t nx, size_t ny, uint64_t seed, double (*look)(doub
 static struct tiles map_of(size_t nx, size_t ny, uint64_t seed, double (*look)(double))
 {
     enum { WIDE = 512 };
-    return cut(nx, ny, seed, look, nx > SIDE || ny > SIDE ? WIDE : 2 * SIDE, variance);
+    return cut(nx, ny, seed, look, nx > SIDE || ny > SIDE ? WIDE : 2 * SIDE, few_waves);
 }
 
 /** Root mean square of ln(answer/solution) of area, gap and length, at loads between those of the ladder. */
@@ -228,11 +212,11 @@ static const double shares[SHARES] = {0.005, 0.03, 0.2};
 
 /** ln answers of ten maps, and their standard errors. */
 static void ask(double value[MAPS][SHARES][ASKED], double s[MAPS][SHARES][ASKED], double (*look)(double), size_t n,
-                double (*power)(double r, const void *context))
+                const double band[3])
 {
     double gradient = 0;
     for (int m = 0; m < MAPS; m++) {
-        struct tiles tiles = cut(SIDE, SIDE, 20 + (uint64_t)m, look, n, power);
+        struct tiles tiles = cut(SIDE, SIDE, 20 + (uint64_t)m, look, n, band);
         expect_ok(tiles_solve, &tiles, INFINITY, &test_alone);
         gradient = m > 0 ? gradient : gradient_of(&tiles);
         for (int i = 0; i < SHARES; i++) {
@@ -253,7 +237,7 @@ TEST_CASE(errors_hold_the_surface)
 {
     static const double t = 2.776;
     double value[MAPS][SHARES][ASKED], s[MAPS][SHARES][ASKED], held = 0;
-    ask(value, s, worn, 2 * SIDE, variance);
+    ask(value, s, worn, 2 * SIDE, few_waves);
     for (int i = 0; i < SHARES; i++)
         for (int q = 0; q < ASKED; q++) {
             double mean = 0;

@@ -1,32 +1,22 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Maps through the whole program: their direct solution leads where all surfaces are maps. */
-#include "direct/direct_surface.h"
+#include "direct_points.h"
 #include "run/pipeline.h"
 #include <jansson.h>
 
 enum { SIDE = 48 };
-
-static double variance(double r, const void *context)
-{
-    (void)context;
-    return r > 48 ? 0 : pow(fmax(r, 12), -3.6);
-}
 
 /** SIDE rows of `points` heights that do not close, every second one of them by `noise_um` too high. */
 static void write_noisy_map(const struct directory *place, const char *name, uint64_t seed, double step_um,
                             size_t points, double noise_um)
 {
     enum { WIDE = 6 * SIDE };
-    double *height = support_room(WIDE * WIDE * sizeof *height), square = 0;
+    double *height = band_surface(WIDE, (const double[]){12, 48, 3.6}, seed);
     struct text *xyz = support_text();
-    expect_ok(direct_surface_make, height, WIDE, &(struct direct_recipe){variance, NULL, NULL, 0}, seed);
-    for (size_t k = 0; k < WIDE * WIDE; k++)
-        square += height[k] * height[k] / (WIDE * WIDE);
     text_add(xyz, "x [um],y [um],z [um]\n");
     for (size_t k = 0; k < points * SIDE; k++)
         text_add(xyz, "%.9g,%.9g,%.9g\n", step_um * (double)(k % points), step_um * (double)(k / points),
-                 0.3 * height[k / points * WIDE + k % points] / sqrt(square) +
-                     noise_um * (double)((k / points + k % points) % 2));
+                 0.3 * height[k / points * WIDE + k % points] + noise_um * (double)((k / points + k % points) % 2));
     directory_write(place, name, text_string(xyz));
 }
 

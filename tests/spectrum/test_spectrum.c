@@ -12,13 +12,6 @@ static double wave(size_t n, size_t j, size_t points, double phase)
     return cos(2 * M_PI * (double)(n * j % points) / (double)points + phase);
 }
 
-/* Uniform in -1...1, the same on every machine. */
-static double noise(uint64_t *seed)
-{
-    *seed = *seed * 6364136223846793005u + 1442695040888963407u;
-    return (double)(int64_t)*seed * 0x1p-63;
-}
-
 static struct spectrum compute(const double *height_m, size_t points, enum spectrum_window window)
 {
     struct spectrum spectrum;
@@ -92,7 +85,7 @@ TEST_CASE(test_parseval)
     double height_m[1009];
     for (size_t l = 0; l < sizeof lengths / sizeof *lengths; l++) {
         for (size_t j = 0; j < lengths[l]; j++)
-            height_m[j] = 1e-6 * noise(&seed);
+            height_m[j] = 1e-6 * (2 * support_uniform(&seed) - 1);
         struct spectrum spectrum = compute(height_m, lengths[l], SPECTRUM_WINDOW_NONE);
         assert_near(total_power(&spectrum), mean_square(height_m, lengths[l]), 1e-13);
         assert_near(spectrum_moment(&spectrum, 0), total_power(&spectrum), 1e-13);
@@ -160,7 +153,7 @@ static struct spectrum random_spectrum(size_t points, uint64_t seed)
     struct spectrum spectrum;
     assert_true(points <= sizeof height_m / sizeof *height_m);
     for (size_t j = 0; j < points; j++)
-        height_m[j] = 1e-6 * noise(&seed);
+        height_m[j] = 1e-6 * (2 * support_uniform(&seed) - 1);
     expect_ok(spectrum_compute, &spectrum, height_m, points, spacing_m, SPECTRUM_WINDOW_NONE);
     return spectrum;
 }
