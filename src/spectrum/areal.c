@@ -179,7 +179,7 @@ enum status_code areal_compute(struct areal *out, const struct scan *scan, struc
     }
     free(rows.x_m);
     if (code == STATUS_OK)
-        code = power_law_scans_end_file(&out->scans, out->spectrum_rows, true, status);
+        power_law_scans_end_file(&out->scans, out->spectrum_rows, true);
     if (code == STATUS_OK && (rows.m2.count == 0 || rows.m4.count == 0))
         return status_fail(status, STATUS_SCAN, "no row of the map has three heights side by side");
     out->rows = (struct roughness){.rq_m = sqrt(rows.m0.value),

@@ -31,7 +31,7 @@ static size_t bin_last(size_t first, size_t count, const size_t split[2])
     return last < count ? last : count;
 }
 
-size_t log_bin_fill(struct log_bin bin[LOG_BIN_MOST], const double *square_m2, size_t count, double length_m,
+size_t log_bin_fill(struct log_bin bin[LOG_BIN_MOST], const double *amplitude_m, size_t count, double length_m,
                     double scans, const size_t split[2])
 {
     assert(scans >= 1 && length_m > 0);
@@ -42,7 +42,8 @@ size_t log_bin_fill(struct log_bin bin[LOG_BIN_MOST], const double *square_m2, s
         size_t last = bin_last(first, count, split);
         double members = (double)(last - first + 1), x = 0, y = 0;
         for (size_t n = first; n <= last; n++) {
-            double log_wavelength = log10(length_m / (double)n), log_amplitude = log10(square_m2[n - 1]) / 2;
+            double square_m2 = amplitude_m[n - 1] * amplitude_m[n - 1];
+            double log_wavelength = log10(length_m / (double)n), log_amplitude = log10(square_m2) / 2;
             x += log_wavelength;
             y += log_amplitude;
             if (n == first || log_amplitude - bias > bin[bins].peak_y) {

@@ -20,12 +20,12 @@ struct log_bin {
     double variance;       /* of y, decades² */
 };
 
-/** Bins the squared amplitudes (finite, not negative) square_m2[n-1] = Delta_n², n = MULTITAPER_FIRST ... count, of a
+/** Bins the amplitudes (finite, not negative) amplitude_m[n-1] = Delta_n, n = MULTITAPER_FIRST ... count, of a
  * multitaper spectrum, the mean over `scans` M >= 1 (not always whole) independent records of length_m L:
  * harmonic n is in bin floor(10 log10(n/5) + 1e-9), x = mean log10(L/n), y = mean log10(Delta_n) - b(K M), b(M) =
  * (psi(M) - ln M)/(2 ln 10). Bins are divided so that harmonics split[0] ... split[1] fill whole bins (NULL: not).
  * Returns how many bins. Abramowitz & Stegun 6.3 (psi), 6.4 (its derivative). */
-size_t log_bin_fill(struct log_bin bin[LOG_BIN_MOST], const double *square_m2, size_t count, double length_m,
+size_t log_bin_fill(struct log_bin bin[LOG_BIN_MOST], const double *amplitude_m, size_t count, double length_m,
                     double scans, const size_t split[2]);
 
 /** b(M) in decades: the mean of log10 sqrt(mean of M exponential variables of mean 1). */

@@ -344,7 +344,7 @@ static enum status_code gather(struct power_law_band *band, struct selection *se
     *band = (struct power_law_band){
         .fit = {NAN, NAN, NAN, NAN, 0, 0, NAN, NAN, {NAN, NAN}, 0, 0}, .psd_m3 = NAN, .slope_share = NAN};
     band->bins =
-        log_bin_fill(band->bin, spectrum->square_m2, spectrum->count, spectrum->length_m, spectrum->scans, split);
+        log_bin_fill(band->bin, spectrum->amplitude_m, spectrum->count, spectrum->length_m, spectrum->scans, split);
     if (find_lines(band, spectrum->scans, status) != STATUS_OK)
         return status->code;
     for (size_t j = 0; j < band->bins; j++)
@@ -360,7 +360,7 @@ static double slope_share(const struct power_law_band_spectrum *spectrum, const 
 {
     double inside = 0, all = 0;
     for (size_t n = 1; n <= spectrum->count; n++) {
-        double part = (double)n * (double)n * spectrum->square_m2[n - 1];
+        double part = (double)n * (double)n * (spectrum->amplitude_m[n - 1] * spectrum->amplitude_m[n - 1]);
         all += part;
         inside += n >= fit->first_harmonic && n <= fit->last_harmonic ? part : 0;
     }

@@ -33,7 +33,7 @@ enum power_law_band_use {
 
 /** A multitaper spectrum. */
 struct power_law_band_spectrum {
-    const double *square_m2; /* Delta_n², n = 1 ... count: multitaper_square(), or the mean of several */
+    const double *amplitude_m; /* Delta_n, n = 1 ... count: roots of multitaper_square(), or of the mean of several */
     size_t count;
     double length_m;   /* L: harmonic n has wavelength L/n */
     double scans;      /* M >= 1: how many independent scans were averaged; a row of a map counts as less than one */

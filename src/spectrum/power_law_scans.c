@@ -55,49 +55,31 @@ enum status_code power_law_scans_add(struct power_law_scans *scans, const double
     return STATUS_OK;
 }
 
-/** Squares of the amplitudes, malloc'ed. */
-static double *squares_of(const struct spectrum *spectrum)
-{
-    double *square_m2 = reallocarray(NULL, spectrum->count + 1, sizeof *square_m2);
-    for (size_t i = 0; square_m2 && i < spectrum->count; i++)
-        square_m2[i] = spectrum->amplitude_m[i] * spectrum->amplitude_m[i];
-    return square_m2;
-}
-
 /** Mean over the bins of log10 amplitude; bins without power are left out. */
-static enum status_code level_of(double *out, const struct spectrum *spectrum, struct status *status)
+static double level_of(const struct spectrum *spectrum)
 {
     struct log_bin bin[LOG_BIN_MOST];
-    double *square_m2 = squares_of(spectrum), sum = 0;
-    size_t used = 0;
-    if (!square_m2)
-        return status_memory(status);
-    size_t bins = log_bin_fill(bin, square_m2, spectrum->count, spectrum->length_m, 1, NULL);
+    double sum = 0;
+    size_t used = 0, bins = log_bin_fill(bin, spectrum->amplitude_m, spectrum->count, spectrum->length_m, 1, NULL);
     for (size_t j = 0; j < bins; j++)
         if (isfinite(bin[j].y)) {
             sum += bin[j].y;
             used++;
         }
-    free(square_m2);
-    *out = used > 0 ? sum / (double)used : 0;
-    return STATUS_OK;
+    return used > 0 ? sum / (double)used : 0;
 }
 
 /** How many independent rows neighbouring ones count as: n = B (1-r)/(1+r) for the means of B blocks of rows,
  * r = sum d_i d_{i+1}/sum d² + 1/B the correlation of neighbouring blocks (Bayley & Hammersley 1946,
  * doi:10.2307/2983560; Kendall 1954, doi:10.1093/biomet/41.3-4.403, for the 1/B). */
-static enum status_code rows_worth(double *out, const struct spectrum *row, size_t count, struct status *status)
+static double rows_worth(const struct spectrum *row, size_t count)
 {
     size_t blocks = count < BLOCKS ? count : BLOCKS;
     double mean[BLOCKS] = {0};
     for (size_t b = 0; b < blocks; b++) {
         size_t first = b * count / blocks, end = (b + 1) * count / blocks;
-        for (size_t i = first; i < end; i++) {
-            double level = 0;
-            if (level_of(&level, &row[i], status) != STATUS_OK)
-                return status->code;
-            mean[b] += level / (double)(end - first);
-        }
+        for (size_t i = first; i < end; i++)
+            mean[b] += level_of(&row[i]) / (double)(end - first);
     }
     double of_all = gsl_stats_mean(mean, 1, blocks), squares = 0, products = 0;
     for (size_t b = 0; b < blocks; b++) {
@@ -105,24 +87,18 @@ static enum status_code rows_worth(double *out, const struct spectrum *row, size
         products += b > 0 ? (mean[b] - of_all) * (mean[b - 1] - of_all) : 0;
     }
     const double rounding = 1e-9; /* decades: equal rows differ by less */
-    *out = 1;
-    if (squares > (double)blocks * rounding * rounding) {
-        double correlation = fmin(fmax(products / squares + 1 / (double)blocks, 0), 0.8);
-        *out = fmax(2, (double)blocks * (1 - correlation) / (1 + correlation));
-    }
-    return STATUS_OK;
+    if (!(squares > (double)blocks * rounding * rounding))
+        return 1;
+    double correlation = fmin(fmax(products / squares + 1 / (double)blocks, 0), 0.8);
+    return fmax(2, (double)blocks * (1 - correlation) / (1 + correlation));
 }
 
-enum status_code power_law_scans_end_file(struct power_law_scans *scans, size_t used, bool rows, struct status *status)
+void power_law_scans_end_file(struct power_law_scans *scans, size_t used, bool rows)
 {
     size_t count = scans->scan_count - scans->closed;
-    double worth = (double)used;
-    if (rows && count > 1 && rows_worth(&worth, scans->scan + scans->closed, count, status) != STATUS_OK)
-        return status->code;
-    scans->independent += worth;
+    scans->independent += rows && count > 1 ? rows_worth(scans->scan + scans->closed, count) : (double)used;
     scans->closed = scans->scan_count;
     scans->files++;
-    return STATUS_OK;
 }
 
 /** The law of one spectrum that is the mean of `independent` scans. */
@@ -131,15 +107,9 @@ static enum status_code fit(struct power_law_band *out, const struct spectrum *s
 {
     size_t known = spectrum_known(spectrum, 0, step_m);
     double shortest_m = known < spectrum->count ? spectrum->length_m / fmax(1, (double)known) : 0;
-    double *square_m2 = squares_of(spectrum);
-    if (!square_m2)
-        return status_memory(status);
-    const struct power_law_band_spectrum powers = {square_m2, spectrum->count, spectrum->length_m, independent,
-                                                   fmax(2 * def->lambda_s_m, shortest_m)};
-    enum status_code rc = def->band_m ? power_law_band_fit_in(out, &powers, def->band_m, status)
-                                      : power_law_band_find(out, &powers, status);
-    free(square_m2);
-    return rc;
+    const struct power_law_band_spectrum of = {spectrum->amplitude_m, spectrum->count, spectrum->length_m, independent,
+                                               fmax(2 * def->lambda_s_m, shortest_m)};
+    return def->band_m ? power_law_band_fit_in(out, &of, def->band_m, status) : power_law_band_find(out, &of, status);
 }
 
 enum status_code power_law_scans_fit(struct power_law_band *out, const struct power_law_scans *scans,

@@ -24,9 +24,8 @@ MUST_CHECK enum status_code power_law_scans_add(struct power_law_scans *scans, c
 
 /** Ends a file of `used` scans or rows. Rows of a map, added in their order, count as fewer independent scans, by the
  * correlation of 16 means of neighbouring rows. The value of a row is the mean over its bins (log_bin.h) of the
- * logarithm of its power, in which every decade of wavelength has the same weight. Error: STATUS_MEMORY. */
-MUST_CHECK enum status_code power_law_scans_end_file(struct power_law_scans *scans, size_t used, bool rows,
-                                                     struct status *status);
+ * logarithm of its power, in which every decade of wavelength has the same weight. */
+void power_law_scans_end_file(struct power_law_scans *scans, size_t used, bool rows);
 
 /** How a surface's law is looked for. */
 struct power_law_scans_def {

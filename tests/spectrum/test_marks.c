@@ -57,12 +57,12 @@ static const size_t scans_of[COUNTS] = {1, 3, 10, 100, 1000}, sets_of[COUNTS] = 
 /* Does the mean of so many profiles' spectra have a line; where `feed` is given, at that? */
 static bool has_line(const struct kind *kind, double (*of_profile_m2)[LONG], size_t scans)
 {
-    double square_m2[LONG] = {0}, line_m[LOG_BIN_MOST];
+    double amplitude_m[LONG] = {0}, line_m[LOG_BIN_MOST];
     size_t count = multitaper_count(LONG);
     for (size_t m = 0; m < scans; m++)
         for (size_t n = 0; n < count; n++)
-            square_m2[n] += of_profile_m2[m][n] / (double)scans;
-    const struct power_law_band_spectrum spectrum = {square_m2, count, LONG, (double)scans, 0};
+            amplitude_m[n] = hypot(amplitude_m[n], sqrt(of_profile_m2[m][n] / (double)scans));
+    const struct power_law_band_spectrum spectrum = {amplitude_m, count, LONG, (double)scans, 0};
     struct power_law_band band;
     expect_ok(power_law_band_find, &band, &spectrum);
     size_t lines = power_law_band_lines(line_m, &band);

@@ -9,7 +9,7 @@ enum { MOST = 20000 };
 
 /* What a test looks at. */
 static struct {
-    double square_m2[MOST];
+    double amplitude_m[MOST];
     struct power_law_band_spectrum spectrum;
     struct power_law_band band, other;
 } sample;
@@ -18,23 +18,23 @@ static void sample_read(const char *name)
 {
     struct table table = table_read(filled("statistics/%s.csv", name));
     for (size_t i = 0; i < table.rows; i++)
-        sample.square_m2[i] = table_number(&table, i, "square_m2");
-    sample.spectrum =
-        (struct power_law_band_spectrum){sample.square_m2, table.rows, 1e-3, 1, 0}; /* length_m is set by the caller */
+        sample.amplitude_m[i] = sqrt(table_number(&table, i, "square_m2"));
+    sample.spectrum = (struct power_law_band_spectrum){sample.amplitude_m, table.rows, 1e-3, 1,
+                                                       0}; /* length_m is set by the caller */
 }
 
 static void sample_law(size_t count, double length_m, double alpha, double gamma)
 {
     for (size_t n = 1; n <= count; n++)
-        sample.square_m2[n - 1] = pow(alpha * pow(length_m / (double)n, gamma), 2);
-    sample.spectrum = (struct power_law_band_spectrum){sample.square_m2, count, length_m, 1, 0};
+        sample.amplitude_m[n - 1] = alpha * pow(length_m / (double)n, gamma);
+    sample.spectrum = (struct power_law_band_spectrum){sample.amplitude_m, count, length_m, 1, 0};
 }
 
 /* Multiplies each square by a mean of `of` exponential variables of mean 1. */
 static void scatter(gsl_rng *random, double of)
 {
     for (size_t i = 0; i < sample.spectrum.count; i++)
-        sample.square_m2[i] *= gsl_ran_gamma(random, of, 1 / of);
+        sample.amplitude_m[i] *= sqrt(gsl_ran_gamma(random, of, 1 / of));
 }
 
 static const struct power_law_band *find(void)
@@ -73,7 +73,7 @@ TEST_CASE(test_reference_values)
         sample.spectrum.scans = table_number(&table, r, "scans");
         sample.spectrum.shortest_m = table_number(&table, r, "shortest_m");
         for (size_t n = 58; n <= 62 && n < sample.spectrum.count; n++)
-            sample.square_m2[n - 1] += table_number(&table, r, "added_m2");
+            sample.amplitude_m[n - 1] = hypot(sample.amplitude_m[n - 1], sqrt(table_number(&table, r, "added_m2")));
         const struct power_law_band *band = find();
         assert_cell(band->fit.gamma, table, r, "gamma", 1e-12);
         assert_cell(band->fit.gamma_s, table, r, "gamma_s", 1e-12);
@@ -102,7 +102,7 @@ TEST_CASE(test_bias_and_variance_of_log_amplitudes)
         struct log_bin bin[LOG_BIN_MOST];
         double scans = squares / MULTITAPER_TAPERS;
         if (scans >= 1) {
-            assert_int_equal(log_bin_fill(bin, sample.square_m2, 7, 1, scans, NULL), 2);
+            assert_int_equal(log_bin_fill(bin, sample.amplitude_m, 7, 1, scans, NULL), 2);
             assert_cell(bin[1].variance, table, r, "variance", 1e-12);
             assert_near(bin[1].y, log10(1 / 7.0) - table_number(&table, r, "bias"), 1e-12);
         }
@@ -131,7 +131,7 @@ TEST_CASE(test_bins_hold_every_harmonic_once)
     const size_t split[2] = {10, 301};
     for (int s = 0; s < 2; s++)
         for (size_t count = 0; count <= MOST; count = count < 50 ? count + 1 : 3 * count) {
-            size_t bins = log_bin_fill(bin, sample.square_m2, count, 1, 1, s ? split : NULL), next = 5;
+            size_t bins = log_bin_fill(bin, sample.amplitude_m, count, 1, 1, s ? split : NULL), next = 5;
             for (size_t j = 0; j < bins; j++) {
                 assert_int_equal(bin[j].first, next);
                 assert_true(bin[j].last >= bin[j].first);
@@ -177,8 +177,8 @@ static void knees(void)
 {
     sample_law(8000, 1e-2, 1e-3, 1.4);
     for (size_t n = 1; n <= 8000; n++) {
-        double level = pow(1e-3 * pow(1e-2 / 30, 1.4), 2), noise = pow(1e-3 * pow(1e-2 / 1500, 1.4), 2);
-        sample.square_m2[n - 1] = n < 30 ? level : n > 1500 ? noise : sample.square_m2[n - 1];
+        double level = 1e-3 * pow(1e-2 / 30, 1.4), noise = 1e-3 * pow(1e-2 / 1500, 1.4);
+        sample.amplitude_m[n - 1] = n < 30 ? level : n > 1500 ? noise : sample.amplitude_m[n - 1];
     }
 }
 
@@ -202,7 +202,7 @@ TEST_CASE(test_knees_bound_the_band)
         assert_true(band->fit.band_m[1] < band->knee_m[0] && band->fit.band_m[0] > band->knee_m[1]);
         double inside = 0, all = 0;
         for (size_t n = 1; n <= 8000; n++) {
-            double wavelength_m = 1e-2 / (double)n, part = sample.square_m2[n - 1] / pow(wavelength_m, 2);
+            double wavelength_m = 1e-2 / (double)n, part = pow(sample.amplitude_m[n - 1] / wavelength_m, 2);
             all += part;
             if (wavelength_m > band->fit.band_m[0] * 0.999999 && wavelength_m < band->fit.band_m[1] * 1.000001)
                 inside += part;
@@ -220,7 +220,7 @@ TEST_CASE(test_units_do_not_matter)
     sample.other = *find();
     sample.spectrum.length_m *= 1e6;
     for (size_t i = 0; i < sample.spectrum.count; i++)
-        sample.square_m2[i] *= 1e-18;
+        sample.amplitude_m[i] *= 1e-9;
     const struct power_law_band *band = find(), *before = &sample.other;
     assert_int_equal(band->law, before->law);
     assert_near(band->fit.gamma, before->fit.gamma, 1e-11);
@@ -296,8 +296,8 @@ TEST_CASE(test_lines_are_left_out)
         sample_law(2000, 1e-2, 1e-3, rows[r].gamma);
         for (size_t n = 1; n <= 2000; n++)
             for (int k = 0; k < 2; k++)
-                sample.square_m2[n - 1] *=
-                    n >= rows[r].raised[k].first && n <= rows[r].raised[k].last ? rows[r].raised[k].factor : 1;
+                sample.amplitude_m[n - 1] *=
+                    n >= rows[r].raised[k].first && n <= rows[r].raised[k].last ? sqrt(rows[r].raised[k].factor) : 1;
         const struct power_law_band *band = find();
         if (lines_of(band, line_m) != rows[r].lines)
             fail_msg("row %zu: %zu lines", r, lines_of(band, line_m));
@@ -319,13 +319,13 @@ TEST_CASE(test_few_and_empty_harmonics)
         sample_law(count, 1e-3, 1, 1.3);
         assert_none(find()); /* 3 harmonics: 8 points */
     }
-    memset(sample.square_m2, 0, sizeof sample.square_m2);
+    memset(sample.amplitude_m, 0, sizeof sample.amplitude_m);
     sample.spectrum.count = 1000; /* constant heights */
     assert_none(find());
     for (size_t j = 0; j < sample.band.bins; j++)
         assert_int_equal(sample.band.use[j], POWER_LAW_BAND_EMPTY);
     sample_law(1000, 1e-3, 1, 1.3);
-    sample.square_m2[99] = 0;
+    sample.amplitude_m[99] = 0;
     const struct power_law_band *band = find();
     assert_within(band->fit.gamma, 1.3, 1e-10);
     size_t empty = 0;
@@ -371,7 +371,7 @@ TEST_CASE(test_a_given_band)
     sample_law(3000, 1e-3, 1, 1.3);
     for (size_t n = 1; n <= 3000; n++)
         if (n < 17 || n > 911)
-            sample.square_m2[n - 1] = sample.square_m2[n < 17 ? 16 : 910];
+            sample.amplitude_m[n - 1] = sample.amplitude_m[n < 17 ? 16 : 910];
     const double given_m[2] = {1e-3 / 911, 1e-3 / 17};
     expect_ok(power_law_band_fit_in, &sample.band, &sample.spectrum, given_m);
     assert_int_equal(band->fit.first_harmonic, 17);
@@ -394,10 +394,10 @@ TEST_CASE(test_lack_of_fit_has_a_limit)
     struct log_bin bin[LOG_BIN_MOST];
     for (double decades = 0.08; decades < 0.13; decades += 0.04) {
         sample_law(2000, 1e-3, 1, 1.3);
-        size_t bins = log_bin_fill(bin, sample.square_m2, 2000, 1e-3, 1, NULL);
+        size_t bins = log_bin_fill(bin, sample.amplitude_m, 2000, 1e-3, 1, NULL);
         for (size_t j = 0; j < bins; j++)
             for (size_t n = bin[j].first; n <= bin[j].last; n++)
-                sample.square_m2[n - 1] *= pow(10, j % 2 ? 2 * decades : -2 * decades);
+                sample.amplitude_m[n - 1] *= pow(10, j % 2 ? decades : -decades);
         const struct power_law_band *band = find();
         assert_int_equal(band->pieces, 1);
         assert_int_equal(band->law, decades < 0.1 ? POWER_LAW_BAND_LAW : POWER_LAW_BAND_SCATTERED);
@@ -411,7 +411,7 @@ TEST_CASE(test_a_short_piece_is_no_candidate)
     for (size_t last = 315; last <= 397; last += 82) {
         sample_law(4000, 1e-3, 1, 1.2);
         for (size_t n = 1; n <= 4000; n++)
-            sample.square_m2[n - 1] = sample.square_m2[(n < 100 ? 100 : n > last ? last : n) - 1];
+            sample.amplitude_m[n - 1] = sample.amplitude_m[(n < 100 ? 100 : n > last ? last : n) - 1];
         const struct power_law_band *band = find();
         assert_int_equal(band->pieces, 3);
         assert_int_equal(band->law, last == 315 ? POWER_LAW_BAND_NONE : POWER_LAW_BAND_NARROW);

@@ -21,7 +21,7 @@ static void run(FILE *out, size_t points, double gamma, size_t scans, size_t set
             coverage_draw(height, points, 8, &surface, random);
             coverage_must(multitaper_square(square, height, points, &status), &status);
             for (size_t i = 0; i < multitaper_count(points); i++)
-                mean[i] = (scan > 0 ? mean[i] : 0) + square[i] / (double)scans;
+                mean[i] = hypot(scan > 0 ? mean[i] : 0, sqrt(square[i] / (double)scans));
         }
         struct power_law_band_spectrum spectrum = {mean, multitaper_count(points), (double)points, (double)scans, 0};
         coverage_must(power_law_band_fit_in(band, &spectrum, all_m, &status), &status);
