@@ -133,28 +133,30 @@ static void descend(struct integral *at, double area, const struct persson *pers
     at->x = to;
 }
 
-static void descend_all(struct corrected_persson_point *out, const double *area_ratio, size_t count,
-                        struct integral *at, const struct persson *persson)
+static void descend_all(struct corrected_persson_point *point, size_t count, struct integral *at,
+                        const struct persson *persson)
 {
     for (size_t i = count; i-- > 0;) {
-        descend(at, area_ratio[i], persson);
-        out[i] = (struct corrected_persson_point){at->above.constriction_m, at->sum_m};
+        descend(at, point[i].area_ratio, persson);
+        point[i].constriction_m = at->above.constriction_m;
+        point[i].separation_m = at->sum_m;
     }
 }
 
 /** The lengths alone. */
-static void lengths(struct corrected_persson_point *out, const double *area_ratio, size_t count,
-                    const struct persson *persson)
+static void lengths(struct corrected_persson_point *point, size_t count, const struct persson *persson)
 {
-    for (size_t i = 0; i < count; i++)
-        out[i] = (struct corrected_persson_point){place_at(area_ratio[i], persson).constriction_m, NAN};
+    for (size_t i = 0; i < count; i++) {
+        point[i].constriction_m = place_at(point[i].area_ratio, persson).constriction_m;
+        point[i].separation_m = NAN;
+    }
 }
 
-void corrected_persson_curve(struct corrected_persson_point *out, const double *area_ratio, size_t count,
-                             const struct persson *persson, bool with_separation)
+void corrected_persson_curve(struct corrected_persson_point *point, size_t count, const struct persson *persson,
+                             bool with_separation)
 {
     if (!with_separation) {
-        lengths(out, area_ratio, count, persson);
+        lengths(point, count, persson);
         return;
     }
     double x = logit(CORRECTED_PERSSON_LARGEST_AREA) + reach;
@@ -164,17 +166,16 @@ void corrected_persson_curve(struct corrected_persson_point *out, const double *
         (above.product_m + below.product_m) * (above.ln_load - below.ln_load) / log(below.product_m / above.product_m);
     struct integral at = {x, rest_m, above};
     descend(&at, knot_area[KNOTS - 1], persson); /* to the last knot first, where the slope of c changes */
-    descend_all(out, area_ratio, count, &at, persson);
+    descend_all(point, count, &at, persson);
 }
 
-void corrected_persson_below(struct corrected_persson_point *out, const double *area_ratio, size_t count,
-                             const struct persson *persson, double known_area,
+void corrected_persson_below(struct corrected_persson_point *point, size_t count, const struct persson *persson,
                              const struct corrected_persson_point *known)
 {
     if (isnan(known->separation_m)) {
-        lengths(out, area_ratio, count, persson);
+        lengths(point, count, persson);
         return;
     }
-    struct integral at = {logit(known_area), known->separation_m, place_at(known_area, persson)};
-    descend_all(out, area_ratio, count, &at, persson);
+    struct integral at = {logit(known->area_ratio), known->separation_m, place_at(known->area_ratio, persson)};
+    descend_all(point, count, &at, persson);
 }

@@ -33,18 +33,20 @@ double corrected_persson_load(double area_ratio, double m2);
 /** Its inverse, A = erf(p/(s sqrt(m2 (g + (1-g) A)))), by iteration; meaningless above the largest area. */
 double corrected_persson_area(double load, double m2);
 
+/** A surface under a load. */
 struct corrected_persson_point {
-    double constriction_m; /* l(A): R A_n = (rho_1 + rho_2) l */
-    double separation_m;   /* 2 int_A^1 l dp (Barber 2003, Proc. R. Soc. A 459, 53) */
+    double area_ratio;
+    double constriction_m;      /* l(A): R A_n = (rho_1 + rho_2) l */
+    double separation_m;        /* 2 int_A^1 l dp (Barber 2003, Proc. R. Soc. A 459, 53) */
+    double least_area_per_load; /* least A/(A_n p) up to this load: for strips and yield, not set here */
 };
 
-/** At `count` ascending area ratios above 0 and up to the largest. Relative error of the separation below 1e-4 (tests);
- * NaN if not with_separation, in a tenth of the time. */
-void corrected_persson_curve(struct corrected_persson_point *out, const double *area_ratio, size_t count,
-                             const struct persson *persson, bool with_separation);
-/** The same below an area where the answer is known; with separations if it has one there. */
-void corrected_persson_below(struct corrected_persson_point *out, const double *area_ratio, size_t count,
-                             const struct persson *persson, double known_area,
+/** Length and separation of `count` points of ascending area ratios above 0 and up to the largest. Relative error of
+ * the separation below 1e-4 (tests); NaN if not with_separation, in a tenth of the time. */
+void corrected_persson_curve(struct corrected_persson_point *point, size_t count, const struct persson *persson,
+                             bool with_separation);
+/** The same below a point that is known; with separations if that has one. */
+void corrected_persson_below(struct corrected_persson_point *point, size_t count, const struct persson *persson,
                              const struct corrected_persson_point *known);
 
 #endif

@@ -9,41 +9,30 @@
 #include <stdlib.h>
 
 /** Elastic contact at the first `count` loads of the task, up to the largest area. nodes: NULL without strips. */
-static enum status_code elastic(struct strip_contact *out, size_t *count, const struct persson *persson,
-                                const struct strip_nodes *nodes, const struct model_task *task, struct status *status)
+static void elastic(struct corrected_persson_point *out, size_t *count, const struct persson *persson,
+                    const struct strip_nodes *nodes, const struct model_task *task)
 {
-    size_t loads = task->load_count;
     bool gap = task->wanted & QUANTITY_BIT(QUANTITY_SEPARATION);
-    double *area = malloc((loads + 1) * sizeof *area);
-    struct corrected_persson_point *point = malloc((loads + 1) * sizeof *point);
-    enum status_code rc = area && point ? STATUS_OK : status_memory(status);
-    if (rc == STATUS_OK && nodes)
-        strip_areas(area, task->loads, loads, nodes);
-    for (; *count < loads && rc == STATUS_OK; ++*count) {
+    for (; *count < task->load_count; ++*count) {
         double load = task->loads[*count];
-        double at = nodes ? area[*count] : corrected_persson_area(load, persson->m2);
-        bool beyond = !(at <= CORRECTED_PERSSON_LARGEST_AREA); /* or NaN */
-        if (at <= 0 || (beyond && !task->carries_on))
+        double area = nodes ? strip_area(load, nodes) : corrected_persson_area(load, persson->m2);
+        bool beyond = !(area <= CORRECTED_PERSSON_LARGEST_AREA); /* or NaN */
+        if (area <= 0 || (beyond && !task->carries_on))
             break;
-        area[*count] = beyond ? CORRECTED_PERSSON_LARGEST_AREA : at;
-        out[*count] = (struct strip_contact){area[*count], NAN, NAN, area[*count] / load};
+        area = beyond ? CORRECTED_PERSSON_LARGEST_AREA : area;
+        out[*count] = (struct corrected_persson_point){area, NAN, NAN, area / load};
     }
-    if (rc == STATUS_OK && nodes)
-        rc = strip_contact(out, *count, nodes, status);
-    else if (rc == STATUS_OK)
-        corrected_persson_curve(point, area, *count, persson, gap);
-    for (size_t i = 0; i < *count && rc == STATUS_OK; i++) {
-        out[i].constriction_m = nodes ? out[i].constriction_m : point[i].constriction_m;
-        out[i].separation_m = !gap ? NAN : nodes ? out[i].separation_m : point[i].separation_m;
-    }
-    free(area);
-    free(point);
-    return rc;
+    if (nodes)
+        strip_contact(out, *count, nodes);
+    else
+        corrected_persson_curve(out, *count, persson, gap);
+    for (size_t i = 0; i < *count && !gap; i++)
+        out[i].separation_m = NAN;
 }
 
 /** Adds yield; ends at the largest area. Yield does not reverse: the share at the hardness is that of the lowest mean
  * contact pressure so far. */
-static void harden(struct strip_contact *contact, size_t *count, const struct persson *persson,
+static void harden(struct corrected_persson_point *contact, size_t *count, const struct persson *persson,
                    const struct model_row *row, const struct model_task *task)
 {
     for (size_t i = 0; i < *count; i++) {
@@ -96,7 +85,7 @@ static const struct prepared_strip *prepare(struct prepared_strip *own, const st
 }
 
 /** The contact at the first `count` loads. */
-static enum status_code solve(struct strip_contact *contact, size_t *count, const struct model_row *row,
+static enum status_code solve(struct corrected_persson_point *contact, size_t *count, const struct model_row *row,
                               const struct model_task *task, struct status *status)
 {
     struct prepared_strip own = {.strip = NULL};
@@ -106,8 +95,9 @@ static enum status_code solve(struct strip_contact *contact, size_t *count, cons
     *count = 0;
     if (!row->uses_strip && persson_make(&made, spectrum_of(task), lost_wave_of(task), status) != STATUS_OK)
         return status->code;
-    if (status->code == STATUS_OK && persson->m2 > 0 &&
-        elastic(contact, count, persson, strip ? &strip->nodes : NULL, task, status) == STATUS_OK && row->plastic)
+    if (status->code == STATUS_OK && persson->m2 > 0)
+        elastic(contact, count, persson, strip ? &strip->nodes : NULL, task);
+    if (row->plastic)
         harden(contact, count, persson, row, task);
     strip_nodes_free(&own.nodes);
     persson_free(&made);
@@ -125,8 +115,9 @@ static double between(double steeper, double flatter)
 }
 
 /** Averages in the answer of the flatter direction, extended to all loads of the other; `room` is as long. */
-static enum status_code join_flatter(struct strip_contact *contact, size_t *count, struct strip_contact *room,
-                                     const struct model_row *row, const struct model_task *task, struct status *status)
+static enum status_code join_flatter(struct corrected_persson_point *contact, size_t *count,
+                                     struct corrected_persson_point *room, const struct model_row *row,
+                                     const struct model_task *task, struct status *status)
 {
     struct model_task flatter = *task;
     size_t known;
@@ -154,7 +145,7 @@ static enum status_code run(struct model_curve *curve, const struct model_row *r
     if (row->plastic && !(task->hardness_Pa > 0))
         return STATUS_OK;
     size_t count, room = task->load_count + 1;
-    struct strip_contact *contact = malloc(2 * room * sizeof *contact);
+    struct corrected_persson_point *contact = malloc(2 * room * sizeof *contact);
     if (!contact)
         return status_memory(status);
     enum status_code rc = solve(contact, &count, row, task, status);

@@ -377,7 +377,7 @@ static void fill_nodes(struct strip_nodes *nodes, const struct corrected_persson
     const double falls = nodes->falls;
     for (size_t k = 0; k <= nodes->steps; k++) {
         double *value = nodes->value[k];
-        const double area = nodes->area_ratio[k], load = corrected_persson_load(area, nodes->persson.m2);
+        const double area = point[k].area_ratio, load = corrected_persson_load(area, nodes->persson.m2);
         nodes->ln_load[k] = log(load) + ratio[k][0];
         nodes->ln_load[k] = k > 0 ? fmax(nodes->ln_load[k], nodes->ln_load[k - 1]) : nodes->ln_load[k];
         value[0] = (1 - falls) * log(point[k].constriction_m) + ratio[k][1];
@@ -406,15 +406,14 @@ enum status_code strip_nodes_make(struct strip_nodes *out, const struct strip *s
                                 .falls = strip->smoothing > 0 ? least_fall : 0,
                                 .range = {range[0], range[1]},
                                 .steps = steps,
-                                .area_ratio = malloc((steps + 1) * sizeof *out->area_ratio),
                                 .ln_load = malloc((steps + 1) * sizeof *out->ln_load),
                                 .value = malloc((steps + 1) * sizeof *out->value)};
     struct corrected_persson_point *point = malloc((steps + 1) * sizeof *point);
     double(*ratio)[3] = smooth_ratios(range, steps, strip);
-    if (out->area_ratio && out->ln_load && out->value && point && ratio) {
+    if (out->ln_load && out->value && point && ratio) {
         for (size_t k = 0; k <= steps; k++)
-            out->area_ratio[k] = area_of(range, (double)k / (double)steps);
-        corrected_persson_curve(point, out->area_ratio, steps + 1, &out->persson, with_separation);
+            point[k].area_ratio = area_of(range, (double)k / (double)steps);
+        corrected_persson_curve(point, steps + 1, &out->persson, with_separation);
         fill_nodes(out, point, ratio);
     } else {
         strip_nodes_free(out);
@@ -428,35 +427,34 @@ enum status_code strip_nodes_make(struct strip_nodes *out, const struct strip *s
 void strip_nodes_free(struct strip_nodes *nodes)
 {
     persson_free(&nodes->persson);
-    free(nodes->area_ratio);
     free(nodes->ln_load);
     free(nodes->value);
     *nodes = (struct strip_nodes){.steps = 0};
 }
 
-void strip_areas(double *area_ratio, const double *loads, size_t count, const struct strip_nodes *nodes)
+double strip_area(double load, const struct strip_nodes *nodes)
 {
-    const double *load = nodes->ln_load;
-    const size_t steps = nodes->steps;
-    for (size_t i = 0, at = 0; i < count; i++) {
-        double wanted = log(loads[i]);
-        while (at < steps && load[at + 1] < wanted)
-            at++;
-        double share = (wanted - load[at]) / (load[at + 1 - (at == steps)] - load[at]);
-        if (wanted <= load[0])
-            area_ratio[i] = corrected_persson_area(loads[i] / exp(nodes->lowest[0]), nodes->persson.m2);
-        else if (wanted > load[steps])
-            area_ratio[i] = NAN;
+    const double *ln_load = nodes->ln_load, wanted = log(load);
+    size_t low = 0, high = nodes->steps;
+    if (wanted <= ln_load[0])
+        return corrected_persson_area(load / exp(nodes->lowest[0]), nodes->persson.m2);
+    if (!(wanted <= ln_load[high]))
+        return NAN;
+    while (high - low > 1) {
+        size_t middle = (low + high) / 2;
+        if (ln_load[middle] < wanted)
+            low = middle;
         else
-            area_ratio[i] = area_of(nodes->range, ((double)at + share) / (double)steps);
+            high = middle;
     }
+    double share = (wanted - ln_load[low]) / (ln_load[high] - ln_load[low]);
+    return area_of(nodes->range, ((double)low + share) / (double)nodes->steps);
 }
 
-/** A contact below the nodes, where the ratios are constant. */
-static void below_nodes(struct strip_contact *contact, const struct corrected_persson_point *point,
-                        const struct strip_nodes *nodes)
+/** The theory's contact below the nodes, where the ratios are constant. */
+static void below_nodes(struct corrected_persson_point *contact, const struct strip_nodes *nodes)
 {
-    const double of[2] = {point->constriction_m, point->separation_m}, falls = nodes->falls;
+    const double of[2] = {contact->constriction_m, contact->separation_m}, falls = nodes->falls;
     double value[2];
     for (size_t q = 0; q < 2; q++)
         value[q] = (1 - falls) * log(of[q]) + nodes->lowest[1 + q] + nodes->raised[q] + falls * log(of[q]);
@@ -468,7 +466,7 @@ static void below_nodes(struct strip_contact *contact, const struct corrected_pe
 }
 
 /** A contact among the nodes. */
-static void among_nodes(struct strip_contact *contact, const struct strip_nodes *nodes)
+static void among_nodes(struct corrected_persson_point *contact, const struct strip_nodes *nodes)
 {
     double place =
         (logit(contact->area_ratio) - nodes->range[0]) / (nodes->range[1] - nodes->range[0]) * (double)nodes->steps;
@@ -479,26 +477,14 @@ static void among_nodes(struct strip_contact *contact, const struct strip_nodes 
     contact->least_area_per_load = fmin(here[2], contact->least_area_per_load);
 }
 
-enum status_code strip_contact(struct strip_contact *contact, size_t count, const struct strip_nodes *nodes,
-                               struct status *status)
+void strip_contact(struct corrected_persson_point *contact, size_t count, const struct strip_nodes *nodes)
 {
     size_t below = 0;
-    while (below < count && contact[below].area_ratio < nodes->area_ratio[0])
+    while (below < count && contact[below].area_ratio < nodes->first.area_ratio)
         below++;
-    double *area = malloc((below + 1) * sizeof *area);
-    struct corrected_persson_point *point = malloc((below + 1) * sizeof *point);
-    if (area && point) {
-        for (size_t i = 0; i < below; i++)
-            area[i] = contact[i].area_ratio;
-        corrected_persson_below(point, area, below, &nodes->persson, nodes->area_ratio[0], &nodes->first);
-        for (size_t i = 0; i < below; i++)
-            below_nodes(&contact[i], &point[i], nodes);
-        for (size_t i = below; i < count; i++)
-            among_nodes(&contact[i], nodes);
-    } else {
-        (void)status_memory(status);
-    }
-    free(area);
-    free(point);
-    return status->code;
+    corrected_persson_below(contact, below, &nodes->persson, &nodes->first);
+    for (size_t i = 0; i < below; i++)
+        below_nodes(&contact[i], nodes);
+    for (size_t i = below; i < count; i++)
+        among_nodes(&contact[i], nodes);
 }

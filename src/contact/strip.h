@@ -84,7 +84,7 @@ struct strip_nodes {
     double falls; /* share of the theory's fall of lengths and gaps that they have at least */
     size_t steps;
     double range[2];                      /* logit A of the first and last node */
-    double *area_ratio, *ln_load;         /* at the nodes; ln of P/(A_n E') never falls */
+    double *ln_load;                      /* ln of P/(A_n E') at the nodes, never falling */
     double (*value)[3];                   /* ln of l and gap, and A/(A_n p), never rising */
     double lowest[3], raised[2];          /* below the first node: the ratios, and what is added to ln of l and gap */
     struct corrected_persson_point first; /* the theory at the first node */
@@ -96,18 +96,11 @@ MUST_CHECK enum status_code strip_nodes_make(struct strip_nodes *out, const stru
                                              struct status *status);
 void strip_nodes_free(struct strip_nodes *nodes);
 
-/** A/A_n at ascending loads P/(A_n E'); NaN beyond the last node. */
-void strip_areas(double *area_ratio, const double *loads, size_t count, const struct strip_nodes *nodes);
-
-/** A surface under a load. */
-struct strip_contact {
-    double area_ratio, constriction_m, separation_m;
-    double least_area_per_load; /* least A/(A_n p) up to this load */
-};
+/** A/A_n at a load P/(A_n E'); NaN beyond the last node. */
+double strip_area(double load, const struct strip_nodes *nodes);
 
 /** Constriction length and separation at ascending areas; they do not depend on the other areas asked. Lowers
- * least_area_per_load where a smaller area had less. Error: STATUS_MEMORY. */
-MUST_CHECK enum status_code strip_contact(struct strip_contact *contact, size_t count, const struct strip_nodes *nodes,
-                                          struct status *status);
+ * least_area_per_load where a smaller area had less. */
+void strip_contact(struct corrected_persson_point *contact, size_t count, const struct strip_nodes *nodes);
 
 #endif

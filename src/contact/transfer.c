@@ -32,13 +32,12 @@ size_t transfer_capped_loads(double load[TRANSFER_LOADS], double gradient, doubl
 /** Adds ln of corrected-persson's answer at the knots of `out`. */
 static void add_gaussian(struct strip_curve *out, const struct persson *persson)
 {
-    double area[STRIP_KNOTS];
     struct corrected_persson_point point[STRIP_KNOTS];
     for (size_t k = 0; k < out->count; k++)
-        area[k] = logistic(out->logit[k]);
-    corrected_persson_curve(point, area, out->count, persson, true);
+        point[k].area_ratio = logistic(out->logit[k]);
+    corrected_persson_curve(point, out->count, persson, true);
     for (size_t k = 0; k < out->count; k++) {
-        out->value[k][0] += log(corrected_persson_load(area[k], persson->m2));
+        out->value[k][0] += log(corrected_persson_load(point[k].area_ratio, persson->m2));
         out->value[k][1] += log(point[k].constriction_m);
         out->value[k][2] += log(point[k].separation_m);
     }

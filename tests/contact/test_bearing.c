@@ -163,9 +163,8 @@ TEST_CASE(models)
         curve[m] = model_support_run(points[m], names[m], &task);
     double m2 = spectrum_moment(&spectrum, 1);
     struct persson persson = model_support_persson(&spectrum);
-    double sixth = corrected_persson_area(load[5], m2);
-    struct corrected_persson_point at;
-    corrected_persson_curve(&at, &sixth, 1, &persson, true);
+    struct corrected_persson_point at = {.area_ratio = corrected_persson_area(load[5], m2)};
+    corrected_persson_curve(&at, 1, &persson, true);
     double length_m = at.constriction_m;
     for (size_t i = 0; i < curve[0].count; i++) {
         const double *value = points[0][i].value;

@@ -26,8 +26,8 @@ TEST_CASE(matches_reference)
         struct spectrum spectrum = golden_spectrum(table_text(&table, i, "profile"));
         struct persson persson = model_support_persson(&spectrum);
         double area = table_number(&table, i, "area_ratio"), load = table_number(&table, i, "load_over_AnEp");
-        struct corrected_persson_point point;
-        corrected_persson_curve(&point, &area, 1, &persson, true);
+        struct corrected_persson_point point = {.area_ratio = area};
+        corrected_persson_curve(&point, 1, &persson, true);
         assert_near(corrected_persson_load(area, persson.m2), load, 1e-7);
         assert_near(corrected_persson_area(load, persson.m2), area, 1e-7);
         assert_near(point.constriction_m, table_number(&table, i, "constriction_length_m"), 1e-7);
@@ -91,22 +91,22 @@ TEST_CASE(separation_is_the_integral_of_constriction)
     enum { AREAS = 200 };
     struct spectrum spectrum = model_support_law(1e-3, 0.01, 1.1, 1000);
     struct persson persson = model_support_persson(&spectrum);
-    double area[AREAS];
-    struct corrected_persson_point all[AREAS], alone;
+    struct corrected_persson_point all[AREAS];
     for (size_t i = 0; i < AREAS; i++) {
         double odds = exp(-12 + 15.4 * (double)i / (AREAS - 1));
-        area[i] = odds / (1 + odds);
+        all[i].area_ratio = odds / (1 + odds);
     }
-    corrected_persson_curve(all, area, AREAS, &persson, true);
+    corrected_persson_curve(all, AREAS, &persson, true);
     for (size_t i = 0; i < AREAS; i += 7) {
-        corrected_persson_curve(&alone, area + i, 1, &persson, true);
+        struct corrected_persson_point alone = {.area_ratio = all[i].area_ratio};
+        corrected_persson_curve(&alone, 1, &persson, true);
         assert_near(alone.constriction_m, all[i].constriction_m, 1e-14);
         assert_near(alone.separation_m, all[i].separation_m, 1e-4);
     }
     for (size_t i = 0; i + 2 < AREAS; i++) { /* by trapezia */
         double load[3], product = 0;
         for (size_t k = 0; k < 3; k++)
-            load[k] = corrected_persson_load(area[i + k], persson.m2);
+            load[k] = corrected_persson_load(all[i + k].area_ratio, persson.m2);
         for (size_t k = 0; k < 2; k++)
             product += (all[i + k].constriction_m + all[i + k + 1].constriction_m) * (load[k + 1] - load[k]);
         assert_near(all[i].separation_m - all[i + 2].separation_m, product, 5e-3);

@@ -100,7 +100,8 @@ static void areas_of(double *area, const double *loads, size_t count, const stru
 {
     struct strip_nodes nodes;
     expect_ok(strip_nodes_make, &nodes, strip, &(struct persson){.m2 = m2}, false);
-    strip_areas(area, loads, count, &nodes);
+    for (size_t i = 0; i < count; i++)
+        area[i] = strip_area(loads[i], &nodes);
     strip_nodes_free(&nodes);
 }
 
@@ -233,13 +234,13 @@ static void errors(double rms[3], const struct strip *strip, const struct persso
     struct corrected_persson_point point[TRUTHS];
     if (strip)
         areas_of(area, loads, TRUTHS, strip, persson->m2);
-    for (size_t i = 0; !strip && i < TRUTHS; i++)
-        area[i] = corrected_persson_area(loads[i], persson->m2);
-    corrected_persson_curve(point, area, TRUTHS, persson, true);
+    for (size_t i = 0; i < TRUTHS; i++)
+        point[i].area_ratio = strip ? area[i] : corrected_persson_area(loads[i], persson->m2);
+    corrected_persson_curve(point, TRUTHS, persson, true);
     memset(rms, 0, 3 * sizeof *rms);
     for (size_t i = 0; i < TRUTHS; i++) {
-        struct strip_ratio ratio = strip ? strip_ratio_at(strip, area[i]) : (struct strip_ratio){0};
-        rms[0] += pow(log(area[i] / truth[i].quantities.area_ratio), 2) / TRUTHS;
+        struct strip_ratio ratio = strip ? strip_ratio_at(strip, point[i].area_ratio) : (struct strip_ratio){0};
+        rms[0] += pow(log(point[i].area_ratio / truth[i].quantities.area_ratio), 2) / TRUTHS;
         rms[1] += pow(log(point[i].separation_m / truth[i].quantities.gap_m) + ratio.separation, 2) / TRUTHS;
         rms[2] += pow(log(point[i].constriction_m / truth[i].constriction_m) + ratio.constriction, 2) / TRUTHS;
     }

@@ -179,15 +179,15 @@ static void add_published(struct page *page)
     } rows[] = {{"gap/σ at A/A_n = 0.00086", 2.63, 0.02},
                 {"gap/σ at A/A_n = 0.433", 0.128, 0.13},
                 {"load of the second over that of the first", 650, 0.09}};
-    static const double area[2] = {0.00086, 0.433};
     struct spectrum spectrum;
     double sigma = sqrt(random_surface(&spectrum, 0.8, 8, 800, false)); /* of the whole surface */
     struct persson persson;
-    struct corrected_persson_point point[2];
+    struct corrected_persson_point point[2] = {{.area_ratio = 0.00086}, {.area_ratio = 0.433}};
     expect_ok(persson_make, &persson, &spectrum, 0);
-    corrected_persson_curve(point, area, 2, &persson, true);
+    corrected_persson_curve(point, 2, &persson, true);
     const double mine[] = {point[0].separation_m / sigma, point[1].separation_m / sigma,
-                           corrected_persson_load(area[1], persson.m2) / corrected_persson_load(area[0], persson.m2)};
+                           corrected_persson_load(point[1].area_ratio, persson.m2) /
+                               corrected_persson_load(point[0].area_ratio, persson.m2)};
     page_rows(page, "published");
     for (int k = 0; k < 3; k++) {
         text_add(&page->text, "| %s | %g | %.3g |", rows[k].name, rows[k].published, mine[k]);
