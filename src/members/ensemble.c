@@ -154,23 +154,21 @@ enum status_code ensemble_prepare(struct ensemble *set, const struct model_task 
     return STATUS_OK;
 }
 
-enum status_code ensemble_estimate(struct estimate *out, const struct ensemble *set, const struct ensemble_values *of,
-                                   bool logarithmic, struct status *status)
+enum status_code ensemble_estimate(struct estimate *out, const struct ensemble *set, const struct ensemble_value *of,
+                                   size_t count, bool logarithmic, struct status *status)
 {
-    const double *value = of->value;
-    const size_t *scan = of->scan, count = of->count;
     double *mean = malloc(2 * (count + 1) * sizeof *mean);
     size_t scans = 0;
     if (!mean)
         return status_memory(status);
     double *weight = mean + count;
     for (size_t i = 0, end; i < count; i = end, scans++) {
-        double sum = 0, first = logarithmic ? log(value[i]) : value[i];
-        for (end = i; end < count && scan[end] == scan[i]; end++)
-            sum += (logarithmic ? log(value[end]) : value[end]) - first;
+        double sum = 0, first = logarithmic ? log(of[i].value) : of[i].value;
+        for (end = i; end < count && of[end].scan == of[i].scan; end++)
+            sum += (logarithmic ? log(of[end].value) : of[end].value) - first;
         double own = first + sum / (double)(end - i); /* equal values give exactly themselves */
-        mean[scans] = end == i + 1 ? value[i] : logarithmic ? exp(own) : own;
-        weight[scans] = set->scan_weight[scan[i]];
+        mean[scans] = end == i + 1 ? of[i].value : logarithmic ? exp(own) : own;
+        weight[scans] = set->scan_weight[of[i].scan];
     }
     enum status_code rc = estimate_make(out, mean, weight, scans, logarithmic, status);
     free(mean);
@@ -181,8 +179,7 @@ void ensemble_curves_free(struct ensemble_curves *curves)
 {
     free(curves->curves);
     free(curves->points);
-    free(curves->scan);
-    free(curves->value);
+    free(curves->of);
     free(curves->sigma_m);
 }
 
@@ -193,10 +190,9 @@ enum status_code ensemble_run(struct ensemble_curves *out, const struct ensemble
     struct joint_task between = joint ? *joint : (struct joint_task){.pair = task->pair};
     *out = (struct ensemble_curves){.curves = calloc(all, sizeof *out->curves),
                                     .points = calloc(all * room, sizeof *out->points),
-                                    .scan = calloc(all, sizeof *out->scan),
-                                    .value = calloc(all, sizeof *out->value),
+                                    .of = calloc(all, sizeof *out->of),
                                     .sigma_m = calloc(all, sizeof *out->sigma_m)};
-    if (!out->curves || !out->points || !out->scan || !out->value || !out->sigma_m)
+    if (!out->curves || !out->points || !out->of || !out->sigma_m)
         return status_memory(status);
     for (size_t p = 0; p < all; p++) {
         struct asperities asperities;
@@ -205,7 +201,7 @@ enum status_code ensemble_run(struct ensemble_curves *out, const struct ensemble
             continue;
         struct model_curve *own = &out->curves[out->count];
         *own = (struct model_curve){.points = out->points + out->count * room};
-        out->scan[out->count] = set->members[p].scan;
+        out->of[out->count].scan = set->members[p].scan;
         out->sigma_m[out->count] = sqrt(set->members[p].roughness.m0_m2);
         between.sigma_m = out->sigma_m[out->count];
         if (model_run(own, model, &alone, status) != STATUS_OK ||
@@ -240,16 +236,15 @@ struct mean {
     const struct model_curve *joined; /* of all rows in one strip, or of the textbook model; NULL: other models */
 };
 
-/** Mean of the numbers in curves->value; where a positive quantity is 0 in all of them, 0. */
+/** Mean of the numbers in curves->of; where a positive quantity is 0 in all of them, 0. */
 static enum status_code mean_of(double *mean, struct estimate *estimate, const struct mean *of, bool logarithmic,
                                 struct status *status)
 {
     const struct ensemble_curves *curves = of->curves;
-    const struct ensemble_values values = {curves->value, curves->scan, curves->count};
     bool zero = logarithmic;
     for (size_t r = 0; r < curves->count && zero; r++)
-        zero = curves->value[r] == 0;
-    if (ensemble_estimate(estimate, of->set, &values, logarithmic, status) != STATUS_OK)
+        zero = curves->of[r].value == 0;
+    if (ensemble_estimate(estimate, of->set, curves->of, curves->count, logarithmic, status) != STATUS_OK)
         return status->code;
     *mean = zero ? 0 : estimate_value(estimate);
     return STATUS_OK;
@@ -260,7 +255,7 @@ static enum status_code mean_number(double *mean, struct estimate *estimate, con
                                     bool logarithmic, struct status *status)
 {
     for (size_t r = 0; r < of->curves->count; r++)
-        memcpy(&of->curves->value[r], (const char *)&of->curves->curves[r] + offset, sizeof *of->curves->value);
+        memcpy(&of->curves->of[r].value, (const char *)&of->curves->curves[r] + offset, sizeof(double));
     return mean_of(mean, estimate, of, logarithmic, status);
 }
 
@@ -287,7 +282,7 @@ static enum status_code mean_point(struct contact_point *out, struct estimate *e
         if (row->from && isnan(point_of(curves, 0, at)->value[q]))
             continue; /* not asked for, or not known */
         for (size_t r = 0; r < curves->count; r++)
-            curves->value[r] = point_of(curves, r, at)->value[q] / (row->sigma_column ? curves->sigma_m[r] : 1);
+            curves->of[r].value = point_of(curves, r, at)->value[q] / (row->sigma_column ? curves->sigma_m[r] : 1);
         if (mean_of(&mean, estimate, of, logarithmic, status) != STATUS_OK)
             return status->code;
         out->value[q] = row->from ? NAN
@@ -295,11 +290,11 @@ static enum status_code mean_point(struct contact_point *out, struct estimate *e
                                                               : 1); /* joint_apply() fills in what depends on others */
     }
     for (size_t r = 0; r < curves->count; r++)
-        curves->value[r] = point_of(curves, r, at)->beyond_fit;
+        curves->of[r].value = point_of(curves, r, at)->beyond_fit;
     if (mean_of(&out->beyond_fit, &unused, of, false, status) != STATUS_OK)
         return status->code;
     for (size_t r = 0; r < curves->count; r++)
-        curves->value[r] = point_of(curves, r, at)->radius_clamped;
+        curves->of[r].value = point_of(curves, r, at)->radius_clamped;
     return mean_of(&out->radius_clamped, &unused, of, false, status);
 }
 

@@ -93,16 +93,16 @@ struct model_task member_task(struct asperities *asperities, const struct member
 MUST_CHECK enum status_code ensemble_prepare(struct ensemble *set, const struct model_task *task,
                                              struct status *status);
 
-/** A number for each of several members. */
-struct ensemble_values {
-    const double *value;
-    const size_t *scan; /* of each value, ascending */
-    size_t count;
+/** A number of a member, and its scan. */
+struct ensemble_value {
+    double value;
+    size_t scan;
 };
-/** Mean and uncertainty of a number. The values of one scan are averaged first, and that mean counts with the scan's
- * weight. A map, whose rows are not independent, gives a mean without an interval. Error: STATUS_MEMORY. */
+/** Mean and uncertainty of `count` numbers, in the order of their scans. Those of one scan are averaged first, and that
+ * mean counts with the scan's weight. A map, whose rows are not independent, gives a mean without an interval. Error:
+ * STATUS_MEMORY. */
 MUST_CHECK enum status_code ensemble_estimate(struct estimate *out, const struct ensemble *set,
-                                              const struct ensemble_values *of, bool logarithmic,
+                                              const struct ensemble_value *of, size_t count, bool logarithmic,
                                               struct status *status);
 
 /** Curves of those members for which a model has a solution, with room for task->load_count + 1 points each. Owned:
@@ -110,8 +110,8 @@ MUST_CHECK enum status_code ensemble_estimate(struct estimate *out, const struct
 struct ensemble_curves {
     struct model_curve *curves;
     struct contact_point *points; /* of all */
-    size_t *scan;
-    double *value, *sigma_m; /* one a curve: scratch, and the member's rms height */
+    struct ensemble_value *of;    /* one a curve: its member's scan, and room for a value */
+    double *sigma_m;              /* its member's rms height */
     size_t count;
     size_t left_out;      /* members without a solution */
     uint64_t evaluations; /* and `overflows`: over all members, as in struct model_curve */

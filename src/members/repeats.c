@@ -96,13 +96,11 @@ enum status_code repeats_compare(struct repeats *out, struct ensemble *set, cons
     out->count = set->count;
     out->scans = set->scan_count;
     out->gamma = out->psd_m3 = estimate_none;
-    double *rq_m = malloc(set->count * sizeof *rq_m);
-    size_t *scan = malloc(set->count * sizeof *scan);
-    enum status_code rc = rq_m && scan ? STATUS_OK : status_memory(status);
+    struct ensemble_value *rq_m = malloc(set->count * sizeof *rq_m);
+    enum status_code rc = rq_m ? STATUS_OK : status_memory(status);
     for (size_t p = 0; p < set->count && rc == STATUS_OK; p++) {
         struct spectrum *own = &set->members[p].spectrum, same;
-        rq_m[p] = set->members[p].roughness.rq_m;
-        scan[p] = set->members[p].scan;
+        rq_m[p] = (struct ensemble_value){set->members[p].roughness.rq_m, set->members[p].scan};
         if (own->count == mean->count && fabs(own->length_m / mean->length_m - 1) < 1e-6)
             continue;
         rc = grid_spectrum(&same, own, mean->length_m, mean->count, status);
@@ -112,8 +110,7 @@ enum status_code repeats_compare(struct repeats *out, struct ensemble *set, cons
         }
     }
     if (rc == STATUS_OK)
-        rc = ensemble_estimate(&out->rq_m, set, &(struct ensemble_values){rq_m, scan, set->count}, true, status);
+        rc = ensemble_estimate(&out->rq_m, set, rq_m, set->count, true, status);
     free(rq_m);
-    free(scan);
     return rc;
 }

@@ -35,7 +35,7 @@ enum status_code surface_read_counterface(struct surface_record *record, struct 
     if (record->ensemble.count < 2)
         ensemble_free(&record->ensemble);
     for (size_t i = 0; i < scans->scan_count && counterface->tapered.count > 0; i++)
-        if (grid_add(&scans->scan[i], &counterface->tapered, status) != STATUS_OK)
+        if (grid_add(&scans->scan[i].spectrum, &counterface->tapered, status) != STATUS_OK)
             return status->code;
     if (scans->scan_count > 0 && counterface->tapered.count > 0 &&
         grid_add(&scans->mean, &counterface->tapered, status) != STATUS_OK)
@@ -53,7 +53,7 @@ static void keep_first(struct surface_record *record, const struct power_law_sca
     struct member *part = &set->members[set->members[0].is_row ? set->count / 2 : 0];
     if (!part->height_m || part->points < SIMULATED_RECORD_LEAST_POINTS ||
         !(scene->effects_auto || (scene->effects & EFFECT_BIT(EFFECT_UNCERTAINTY))) ||
-        (scans->scan_count > 0 && !simulated_record_possible(scans->scan[0].amplitude_m, part->points)))
+        (scans->scan_count > 0 && !simulated_record_possible(scans->scan[0].spectrum.amplitude_m, part->points)))
         return;
     record->summary.single_points = part->points;
     record->height_m = part->height_m;
@@ -140,24 +140,22 @@ static enum status_code fit_alone(struct surface_record *record, const struct po
     size_t count = scans->scan_count;
     if (repeats->scans < 2)
         return STATUS_OK;
-    double *gamma = malloc(2 * count * sizeof *gamma);
+    struct ensemble_value *gamma = malloc(2 * count * sizeof *gamma);
     if (!gamma)
         return status_memory(status);
-    double *psd_m3 = gamma + count;
+    struct ensemble_value *psd_m3 = gamma + count;
     enum status_code rc = STATUS_OK;
     for (size_t i = 0; i < count && rc == STATUS_OK; i++) {
         struct power_law_band alone;
         rc = power_law_scans_fit_alone(&alone, scans, i, &def, record->band, status);
         struct power_law law = power_law_of_band(&alone, &record->typical);
-        gamma[i] = law.gamma;
-        psd_m3[i] = law.psd_m3;
+        gamma[i] = (struct ensemble_value){law.gamma, scans->scan[i].file};
+        psd_m3[i] = (struct ensemble_value){law.psd_m3, scans->scan[i].file};
     }
     if (rc == STATUS_OK)
-        rc = ensemble_estimate(&repeats->gamma, &record->ensemble, &(struct ensemble_values){gamma, scans->file, count},
-                               false, status);
+        rc = ensemble_estimate(&repeats->gamma, &record->ensemble, gamma, count, false, status);
     if (rc == STATUS_OK)
-        rc = ensemble_estimate(&repeats->psd_m3, &record->ensemble,
-                               &(struct ensemble_values){psd_m3, scans->file, count}, true, status);
+        rc = ensemble_estimate(&repeats->psd_m3, &record->ensemble, psd_m3, count, true, status);
     repeats->gamma.model_sd = record->band->fit.gamma_bias_s;
     repeats->psd_m3.model_sd = 2 * M_LN10 * record->band->fit.log10_amplitude_bias_s;
     free(gamma);

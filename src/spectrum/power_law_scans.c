@@ -30,14 +30,10 @@ enum status_code power_law_scans_add(struct power_law_scans *scans, const double
 {
     if (scans->scan_count == scans->capacity) {
         size_t larger = scans->capacity ? 2 * scans->capacity : 4;
-        struct spectrum *scan = realloc(scans->scan, larger * sizeof *scan);
+        struct power_law_scan *scan = realloc(scans->scan, larger * sizeof *scan);
         if (!scan)
             return status_memory(status);
         scans->scan = scan;
-        size_t *file = realloc(scans->file, larger * sizeof *file);
-        if (!file)
-            return status_memory(status);
-        scans->file = file;
         scans->capacity = larger;
     }
     struct spectrum own;
@@ -49,8 +45,7 @@ enum status_code power_law_scans_add(struct power_law_scans *scans, const double
         spectrum_free(&own);
         return rc;
     }
-    scans->file[scans->scan_count] = scans->files;
-    scans->scan[scans->scan_count++] = own;
+    scans->scan[scans->scan_count++] = (struct power_law_scan){own, scans->files};
     scans->step_m = fmax(scans->step_m, step_m);
     return STATUS_OK;
 }
@@ -72,14 +67,14 @@ static double level_of(const struct spectrum *spectrum)
 /** How many independent rows neighbouring ones count as: n = B (1-r)/(1+r) for the means of B blocks of rows,
  * r = sum d_i d_{i+1}/sum d² + 1/B the correlation of neighbouring blocks (Bayley & Hammersley 1946,
  * doi:10.2307/2983560; Kendall 1954, doi:10.1093/biomet/41.3-4.403, for the 1/B). */
-static double rows_worth(const struct spectrum *row, size_t count)
+static double rows_worth(const struct power_law_scan *row, size_t count)
 {
     size_t blocks = count < BLOCKS ? count : BLOCKS;
     double mean[BLOCKS] = {0};
     for (size_t b = 0; b < blocks; b++) {
         size_t first = b * count / blocks, end = (b + 1) * count / blocks;
         for (size_t i = first; i < end; i++)
-            mean[b] += level_of(&row[i]) / (double)(end - first);
+            mean[b] += level_of(&row[i].spectrum) / (double)(end - first);
     }
     double of_all = gsl_stats_mean(mean, 1, blocks), squares = 0, products = 0;
     for (size_t b = 0; b < blocks; b++) {
@@ -126,15 +121,14 @@ enum status_code power_law_scans_fit_alone(struct power_law_band *out, const str
                                            struct status *status)
 {
     const struct power_law_scans_def there = {def->lambda_s_m, mean->fit.band_m};
-    return fit(out, &scans->scan[i], 1, scans->step_m, &there, status);
+    return fit(out, &scans->scan[i].spectrum, 1, scans->step_m, &there, status);
 }
 
 void power_law_scans_free(struct power_law_scans *scans)
 {
     for (size_t i = 0; i < scans->scan_count; i++)
-        spectrum_free(&scans->scan[i]);
+        spectrum_free(&scans->scan[i].spectrum);
     free(scans->scan);
-    free(scans->file);
     spectrum_free(&scans->mean);
     *scans = (struct power_law_scans){0};
 }

@@ -6,11 +6,16 @@
 
 #include "spectrum/power_law.h"
 
+/** A scan, and the number of its file, from 0. */
+struct power_law_scan {
+    struct spectrum spectrum;
+    size_t file;
+};
+
 /** Starts as {0}. Owned: power_law_scans_free(). */
 struct power_law_scans {
-    struct spectrum mean;  /* rms amplitudes, grid_average() of those of the scans */
-    struct spectrum *scan; /* scan_count of them */
-    size_t *file;          /* of each scan, from 0 */
+    struct spectrum mean;        /* rms amplitudes, grid_average() of those of the scans */
+    struct power_law_scan *scan; /* scan_count of them */
     size_t scan_count, capacity;
     size_t closed, files; /* scans in files that are complete, and those files */
     double independent;   /* M: profile scans, and what the rows of maps count as */

@@ -52,10 +52,10 @@ static struct model_task task_of(const struct member *first, const double *loads
 static enum status_code estimate_all(struct estimate *out, const double *value, const struct ensemble *set,
                                      bool logarithmic, struct status *status)
 {
-    size_t scan[MOST];
+    struct ensemble_value of[MOST];
     for (size_t p = 0; p < set->count; p++)
-        scan[p] = set->members[p].scan;
-    return ensemble_estimate(out, set, &(struct ensemble_values){value, scan, set->count}, logarithmic, status);
+        of[p] = (struct ensemble_value){value[p], set->members[p].scan};
+    return ensemble_estimate(out, set, of, set->count, logarithmic, status);
 }
 
 /** Three scans: geometric mean, and t(2) = 4.302653 standard errors; another scan, sqrt(1 + 1/3) deviations. */
