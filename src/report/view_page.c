@@ -21,7 +21,7 @@ static void put_known(json_t *out, json_t *row, const char *name, const struct v
     text_add(&interval, "%s", low && high ? "" : low ? "≥\u00a0" : "≤\u00a0");
     text_add(&text, "%s", known.kind == KNOWN_NOTHING ? "–" : signs[known.kind]);
     if (known.kind != KNOWN_NOTHING)
-        number_format(&text, known.value, modelled ? known_digits(&known) : 3);
+        number_format(&text, known.value, known_digits(&known));
     if (low)
         number_format(&interval, known.low, 2);
     if (low && high)

@@ -151,5 +151,5 @@ struct known known_shown(const struct results *results, const struct asked *aske
 int known_digits(const struct known *known)
 {
     const bool wide = fmax(known->high, known->value) > 1.44 * fmin(known->low, known->value); /* one end may be NaN */
-    return known->kind == KNOWN_VALUE && (wide || known->short_loads) ? 2 : 3;
+    return known->kind == KNOWN_VALUE && !known->measured && (wide || known->short_loads) ? 2 : 3;
 }

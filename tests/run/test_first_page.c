@@ -284,3 +284,14 @@ TEST_IN_DIRECTORY(what_is_not_there_is_not_told)
         assert_int_equal(strstr(report, "No lay is known") != NULL, k == 0);
     }
 }
+
+/* A measured number has three digits, in headline and table alike, also where its test scatters. */
+TEST_IN_DIRECTORY(the_headline_has_the_digits_of_the_table)
+{
+    pipeline_rough(place, "in/a.csv", 400, 1, 1);
+    directory_write(place, "in/m.txt", "Load (N), R (uohm)\n1,20\n2,15\n5,8\n");
+    pipeline_report(place, "in", "out",
+                    "material: tin\nnominal_area: 1 mm2\noperating_load: 0.4 N\n"
+                    "surfaces: [{name: a, file: a.csv, measured: {file: m.txt}}]\n");
+    expect_in_file(place, "out/report.md", "is 70.9\u00a0µΩ (measured)", "| 70.9 measured |");
+}
