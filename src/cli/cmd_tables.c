@@ -24,7 +24,7 @@ static error_t parse(int key, __attribute__((unused)) char *value, struct argp_s
 const struct argp command_models_argp = {
     .options = options, .parser = parse, .doc = "The models, their sources and where they are valid."};
 const struct argp command_materials_argp = {
-    .options = options, .parser = parse, .doc = "The built-in materials, platings and fillers, and their sources."};
+    .options = options, .parser = parse, .doc = "The materials, platings, fillers and fluids, and their sources."};
 
 /** Prints the rows as JSON, or as text: a name and below it texts and numbers. Returns the exit status. */
 static int print(json_t *rows, bool as_json)

@@ -23,7 +23,7 @@ const struct command_row command_rows[COMMANDS] = {
      &command_compare_argp},
     {"synth", "[-o FILE]", "write a scan that obeys a given power law", command_synth, &command_synth_argp},
     {"models", "", "the models, their sources and where they are valid", command_models, &command_models_argp},
-    {"materials", "", "the built-in materials, platings and fillers, and their sources", command_materials,
+    {"materials", "", "the materials, platings, fillers and fluids, and their sources", command_materials,
      &command_materials_argp},
 };
 
