@@ -13,8 +13,8 @@ enum sensitivity_change {
     SENSITIVITY_HARDNESS_RAISED, /* by a tenth, with the yield strength; plastic models only */
     SENSITIVITY_CHANGES
 };
-/** The answer with the change over the answer without, at the middle load. NaN: either is empty, or the change does not
- * concern the model. The inverses predict the opposite changes (cut-off halved, scan doubled, hardness lowered). */
+/** The answer with the change over the answer without, at the operating load. NaN: either is empty, or the change does
+ * not concern the model. The inverses predict the opposite changes (cut-off halved, scan doubled, hardness lowered). */
 struct sensitivity_factors {
     double area[SENSITIVITY_CHANGES], ecr[SENSITIVITY_CHANGES];
 };

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the surfaces say when they are held against each other at the middle load: which is better, and by how much. */
+/* What the surfaces say when they are held against each other at the operating load: which is better, and by how much.
+ */
 #ifndef RESULTS_COMPARISON_H
 #define RESULTS_COMPARISON_H
 
@@ -15,8 +16,8 @@ struct comparison_pair {
 
 enum { COMPARISON_RANKED_MOST = 100 /* surfaces; a report ranks no more, and more have no groups */ };
 
-/** The surfaces ranked by the criterion in the leading model at the middle load, and tests of its logarithm. A surface
- * whose scatter is unknown has no place. */
+/** The surfaces ranked by the criterion in the leading model at the operating load, and tests of its logarithm. A
+ * surface whose scatter is unknown has no place. */
 struct comparison {
     enum quantity criterion; /* ECR, else TCR, else area */
     size_t count;            /* places; 0 where there are more than COMPARISON_RANKED_MOST surfaces with an answer */
@@ -42,7 +43,7 @@ const struct comparison_pair *comparison_pair_of(const struct comparison *rankin
 /** Was a difference between the two found that more scans would show again? */
 bool comparison_told_apart(const struct comparison_pair *pair);
 
-/** What a model says of a surface at the middle load; quantity_nothing() where it has no point. */
+/** What a model says of a surface at the operating load; quantity_nothing() where it has no point. */
 struct contact_point comparison_middle(const struct results *results, size_t model, size_t surface);
 /** A quantity of the leading model over that of its `gaussian` at the surface's operating load: what the heights do;
  * NaN: one of them has none. */

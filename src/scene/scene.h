@@ -160,7 +160,7 @@ struct scene {
     double nominal_area_m2;     /* NaN: resistances stay per area */
     enum scene_mean_free_path mean_free_path;
     struct scene_load load;
-    struct scene_one_load operating; /* of summary and tables; none: the middle load */
+    struct scene_one_load operating; /* of summary and tables; none: that of a middling area */
     double tolerance;                /* relative */
     double accuracy;                 /* 95 % of answers are to lie within this factor less 1; NaN: not asked */
     double chosen_sd;                /* model_sd() of the model chosen for it; 0: none was */

@@ -406,8 +406,7 @@ const struct scene_key scene_keys[] = {
      scene_source_within, .at = AT(load), .within = SCENE_RULED("load", load_keys, .then = complete_load)},
     {"operating_load",
      "where the first page stands; its unit is that of charts and tables where `load` has no loads; default: the "
-     "middle "
-     "of an area of 0.1 to 10 %",
+     "middle of an area of 0.1 to 10 %",
      read_one_load, .at = AT(operating), LOADS},
     {"targets", "a list of {ecr, tcr, conductance, gap, area or temperature: value}: the load that each needs",
      scene_asked_read, .at = 0},
