@@ -20,7 +20,7 @@ static const struct argp_option options[] = {
     {"alpha", 'a', "SI", 0, "alpha of amplitude = alpha lambda^gamma, in m^(1-gamma) (default 0.085)", 0},
     {"gamma", 'g', "G", 0, "gamma (default 1.5)", 0},
     {"rq", 'r', "LENGTH", 0,
-     "root mean square height: scales the profile, or beside --alpha chooses the scatter (default: what alpha gives)",
+     "root mean square height: scales the profile, or beside --alpha chooses the draw of scatter (default: as drawn)",
      0},
     {"length", 'l', "LENGTH", 0, "scan length (default 0.3mm)", 0},
     {"points", 'n', "N", 0, "points (default 1200)", 0},
