@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the surfaces say when they are held against each other at the operating load: which is better, and by how much.
- */
+/* What the surfaces say, held against each other at the operating load: which is better, and by how much. */
 #ifndef RESULTS_COMPARISON_H
 #define RESULTS_COMPARISON_H
 

@@ -27,8 +27,7 @@ struct known known_value(const struct results *results, enum quantity quantity, 
 /** In the units that the user has: the load that a target needs, or without one the asked quantity. */
 struct known known_shown(const struct results *results, const struct asked *asked, const struct scene_asked *target,
                          size_t surface);
-/** Digits of a value as shown: two where the interval beside it is wider than a factor 1.2 to either side, else three.
- */
+/** Digits of a value as shown: two where the interval beside it is wider than ×÷ 1.2, else three. */
 int known_digits(const struct known *known);
 /** Judges the limits of a surface by its measurement, where it has one of their quantity. */
 void known_check_limits(struct results *results, size_t surface);

@@ -458,24 +458,23 @@ const struct scene_key scene_keys[] = {
      "solution; default: off",
      read_direct, .at = AT(direct), .within = SCENE_RULED("direct", direct_keys, .then = complete_direct)},
     {"gap",
-     "{gas: air, nitrogen, helium, argon, hydrogen, carbon dioxide, SF6, neon, krypton or vacuum, pressure, "
-     "temperature, "
-     "accommodation}, {liquid: water, oil or glycerin, temperature} or {filler: silicone grease, filled grease, pad or "
-     "gallium alloy, or its conductivity, bond_line} of what fills the gaps: the heat that it carries; default: "
-     "nothing is said of it",
+     "{gas: air, nitrogen, helium, argon, hydrogen, carbon dioxide, SF6, neon, krypton or vacuum, pressure (1 atm), "
+     "temperature (300 K), accommodation (the gas's)}, {liquid: water, oil or glycerin, temperature} or {filler: "
+     "silicone grease, filled grease, pad or gallium alloy, or its conductivity, bond_line} of what fills the gaps: "
+     "the heat that it carries; default: nothing is said of it",
      scene_source_within, .at = AT(joint), .within = SCENE_RULED("gap", gap_keys, .then = complete_gap)},
     {"film", "insulating film on the spots, a resistance times an area; default: none",
      SCENE_QUANTITY(AT(joint.film_ohm_m2), UNIT_RESISTANCE_AREA, 0.0, 1e6)},
     {"shape",
      "{flatness: 5 um, over: 20 mm} or {crown: radius} of parts that bulge towards each other, {height: map of one "
      "part}, {pressure: file of x, y, p or of area, p, or several, each of another load, scale: true} or {bolts: "
-     "[[10 mm, 10 mm]], force: 2 kN, head: 8.5 mm}, with thickness: [5 mm, 8 mm] of "
-     "the parts (default: half-spaces) and size: [20 mm, 10 mm] of the nominal area (default: a square), from a corner "
-     "of which places count: conductance and ECR of the whole of it; default: the parts are flat",
+     "[[10 mm, 10 mm]], force: 2 kN, head: 8.5 mm}, with thickness: [5 mm, 8 mm] of the parts (default: half-spaces) "
+     "and size: [20 mm, 10 mm] of the nominal area (default: a square), from a corner of which places count: "
+     "conductance and ECR of the whole of it; default: the parts are flat",
      scene_source_within, .at = 0, .given = AT(shape.given), .within = &scene_shape_ways},
     {"plating",
-     "{thickness, metal: hard gold, soft gold, tin, silver or nickel, or its resistivity, sides: one or both (the "
-     "surface's comes first)}; thicker than indents are deep, a metal brings its hardness, below that of 'hardness'; "
+     "{thickness, metal: hard gold, soft gold, tin, silver or nickel, or its resistivity, sides: one (the surface's, "
+     "as by default) or both}; thicker than indents are deep, a metal brings its hardness, below that of 'hardness'; "
      "default: none",
      scene_source_within, .at = AT(joint),
      .within =
@@ -483,15 +482,14 @@ const struct scene_key scene_keys[] = {
     {"current", "through the contact, for its voltage and temperature; default: none",
      SCENE_QUANTITY(AT(joint.current_A), UNIT_CURRENT, 1e-12, 1e9), .needs = "nominal_area"},
     {"convergence",
-     "{alpha, gamma, load, scan_length, scales} of the convergence study; default: effects: auto runs none",
+     "{alpha (0.085), gamma (1.5), load (1e-3), scan_length (0.3 mm), scales (4096)} of the convergence study; "
+     "default: effects: auto runs none",
      scene_source_within, .at = AT(convergence), .given = AT(convergence.given),
      .within = SCENE_MAPPING("convergence", convergence_keys)},
     {"surfaces",
      "a list of {name, file, along (scans in the other direction; the steeper ones are taken as across the lay) or "
-     "lay, "
-     "x_unit, z_unit, column, material, counterface, hardness, measured}; default: every scan in the directory by its "
-     "name, a sub-directory a surface of "
-     "its files",
+     "lay, x_unit, z_unit, column, material, counterface, hardness, measured}; default: every scan in the directory by "
+     "its name, a sub-directory a surface of its files",
      scene_surfaces_read, .at = 0, .within = &scene_surfaces_each},
 };
 const size_t scene_key_count = SCENE_COUNT(scene_keys);
