@@ -342,7 +342,7 @@ static enum status_code answer_target(struct answer *out, const struct surface_r
         return search.status->code;
     const struct band_end any = {&record->curves[m], record->bands[m], record->band_count, target->quantity, 0,
                                  &search.joint};
-    bool banded = record->bands[m] && !isnan(band_shift(log(out->load), &any));
+    bool banded = record->bands[m] && !out->above_hardness && !isnan(band_shift(log(out->load), &any));
     out->wider = out->wider && banded;
     return banded && out->kind == ANSWER_LOAD && !out->full ? find_interval(out, record, &search) : STATUS_OK;
 }

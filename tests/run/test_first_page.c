@@ -295,3 +295,23 @@ TEST_IN_DIRECTORY(the_headline_has_the_digits_of_the_table)
                     "surfaces: [{name: a, file: a.csv, measured: {file: m.txt}}]\n");
     expect_in_file(place, "out/report.md", "is 70.9\u00a0µΩ (measured)", "| 70.9 measured |");
 }
+
+/* Of an elastic model above the hardness no answer has an interval, also where lighter loads have bands. */
+TEST_IN_DIRECTORY(an_elastic_target_above_the_hardness_has_no_interval)
+{
+    size_t above = 0, below = 0;
+    pipeline_rough(place, "in/a.csv", 400, 1, 1);
+    pipeline_report(place, "in", "out",
+                    "material: tin\nhardness: 188 MPa\nmodels: [multiscale-elastic]\neffects: [auto, uncertainty]\n"
+                    "load: {from: 1e-6, to: 1e-2, points: 21}\n"
+                    "targets: [{ecr: 1e-9 ohm m2}, {ecr: 1e-10 ohm m2}, {ecr: 1e-11 ohm m2}, {ecr: 3e-12 ohm m2}]\n");
+    char *rows = directory_read(place, "out/data/answers.csv");
+    for (char *row = strtok(rows, "\n"); (row = strtok(NULL, "\n"));) {
+        bool is = strstr(row, "above the hardness"), none = strstr(row, ",,,");
+        if (is && !none)
+            fail_msg("%s", row);
+        above += is;
+        below += !is && !none;
+    }
+    assert_true(above > 0 && below > 0);
+}
