@@ -495,16 +495,17 @@ static bool further_target(struct claims *c)
                        shown = known_shown(c->results, &of.asked, target, on);
     put_asked(c, "target", target);
     put_text(c, "symbol", target->symbol);
-    c->key = isinf(cost_of(&of, on))      ? "target-never"
-             : load.kind == KNOWN_AT_MOST ? "target-most"
-             : isnan(load.low)            ? "target-alone"
-                                          : "target";
+    c->key = isinf(cost_of(&of, on))       ? "target-never"
+             : load.kind == KNOWN_AT_MOST  ? "target-most"
+             : isnan(load.low + load.high) ? "target-alone"
+                                           : "target";
     if (target == c->asked.target || isinf(cost_of(&of, on)))
         return target != c->asked.target;
     put_surface(c, on);
     put_load(c, "load", on, load.value, known_digits(&shown));
-    if (!isnan(load.low) && load.kind == KNOWN_VALUE)
-        put_range(c, "interval", shown.low, shown.high, 2, "");
+    const double ends[][2] = {{load.low, load.high}, {shown.low, shown.high}};
+    if (!isnan(load.low + load.high) && load.kind == KNOWN_VALUE)
+        put_shown(c, "interval", json_numbers(ends[0], 2), ends[1], 2, "");
     return true;
 }
 
@@ -737,10 +738,10 @@ static bool differ_in_roughness(const struct results *results)
     return ln_rq[1] - ln_rq[0] > 2 * sqrt(variance);
 }
 
-/** A model's answer on usable surface k, as shown. */
+/** A model's answer on usable surface k. */
 static double modelled(const struct claims *c, size_t model, size_t k)
 {
-    return asked_shown(&c->asked, comparison_middle(c->results, model, usable(c, k)).value[c->asked.quantity]);
+    return comparison_middle(c->results, model, usable(c, k)).value[c->asked.quantity];
 }
 
 /** Most over least of a model's answers; negative: in order of roughness not each is above the one before. 0: a surface
@@ -750,7 +751,7 @@ static double spread_of(const struct claims *c, size_t m)
     double least = INFINITY, most = 0, before = -INFINITY;
     bool rises = true;
     for (size_t k = 0; k < c->results->usable_count; k++) {
-        const double value = modelled(c, m, k);
+        const double value = asked_shown(&c->asked, modelled(c, m, k));
         if (!(value > 0 && isfinite(value)))
             return 0;
         rises = rises && value > before * (1 + c->results->scene->tolerance);
@@ -791,7 +792,9 @@ static bool by_roughness(struct claims *c)
         text_add(&others, "%s%s", others.length > 0 ? " and " : "", last);
         put_text(c, "label", model_rows[steepest]->label);
         put_text(c, "quantity", words_say(c->words, "%s", c->asked.name));
-        put_range(c, "values", modelled(c, steepest, 0), modelled(c, steepest, count - 1), 2, c->asked.unit);
+        const double ends[] = {modelled(c, steepest, 0), modelled(c, steepest, count - 1)};
+        put_shown(c, "values", json_numbers(ends, 2),
+                  (const double[]){asked_shown(&c->asked, ends[0]), asked_shown(&c->asked, ends[1])}, 2, c->asked.unit);
         put_text(c, "others", text_string(&others));
     }
     text_free(&others);

@@ -100,18 +100,24 @@ static const char *said(const json_t *claims, const char *key, const char *part)
 }
 
 /** A claim of one surface or of all is said once; within a level the largest factor comes first; the parts of the
- * uncertainty make the whole. */
+ * uncertainty make the whole. Numbers of one claim are in one unit, SI. */
 static void expect_list(const json_t *claims)
 {
     size_t i, k;
     const json_t *claim, *other;
-    double before = INFINITY, factor, model, scans, waves;
+    double before = INFINITY, factor, model, scans, waves, load, low, high;
     json_array_foreach(claims, i, claim)
     {
         const char *key = json_string_value(json_object_get(claim, "key"));
         const json_t *numbers = json_object_get(claim, "numbers");
         json_array_foreach(claims, k, other) if (k < i && strncmp(key, "target", 6) && strncmp(key, "limit", 5))
             assert_string_not_equal(json_string_value(json_object_get(other, "key")), key);
+        if (strcmp(key, "target") == 0 &&
+            json_unpack((json_t *)numbers, "{s:F, s:[F, F]}", "load", &load, "interval", &low, &high) == 0)
+            assert_true(low <= load && load <= high);
+        if (strcmp(key, "by-roughness") == 0 &&
+            json_unpack((json_t *)numbers, "{s:[F, F]}", "values", &low, &high) == 0)
+            assert_true(fmax(low, high) < 1e-3); /* ohm m2 of 1 mm2, not microohms */
         if (strcmp(json_string_value(json_object_get(claim, "level")), "uncertainty") != 0)
             continue;
         if (json_unpack((json_t *)numbers, "{s:F}", "factor", &factor) == 0) {
