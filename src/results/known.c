@@ -87,19 +87,6 @@ struct known known_value(const struct results *results, enum quantity quantity, 
     return out;
 }
 
-void known_check_limits(struct results *results, size_t surface)
-{
-    for (size_t l = 0; l < results->scene->limit_count; l++) {
-        const struct scene_asked *limit = &results->scene->limits[l];
-        const struct known known = known_value(results, limit->quantity, surface);
-        struct limit_check *check = &results->surfaces[surface].summary.limits[l];
-        if (!known.measured)
-            continue;
-        *check = (struct limit_check){.value = known.value, .low = known.low, .high = known.high};
-        check->verdict = answers_judge(check, limit);
-    }
-}
-
 struct known known_load(const struct results *results, const struct scene_asked *target, size_t surface)
 {
     static const enum known_kind kinds[] = {[ANSWER_NONE] = KNOWN_NOTHING,
@@ -130,6 +117,32 @@ struct known known_load(const struct results *results, const struct scene_asked 
     }
     out.short_loads = !carried && answer->wider;
     return out;
+}
+
+void known_take_measured(struct results *results, size_t surface)
+{
+    for (size_t l = 0; l < results->scene->limit_count; l++) {
+        const struct scene_asked *limit = &results->scene->limits[l];
+        const struct known known = known_value(results, limit->quantity, surface);
+        struct limit_check *check = &results->surfaces[surface].summary.limits[l];
+        if (!known.measured)
+            continue;
+        *check = (struct limit_check){.value = known.value, .low = known.low, .high = known.high};
+        check->verdict = answers_judge(check, limit);
+    }
+    for (size_t t = 0; t < results->scene->target_count; t++) {
+        const struct known load = known_load(results, &results->scene->targets[t], surface);
+        struct answer *answer =
+            &results->surfaces[surface].summary.answers[t * model_count + plan_leading_model(results->plan)];
+        if (!load.measured || load.kind != KNOWN_VALUE || load.value == answer->load)
+            continue;
+        *answer = (struct answer){.kind = ANSWER_LOAD,
+                                  .load = load.value,
+                                  .low = NAN,
+                                  .high = NAN,
+                                  .spots_per_m2 = answer->spots_per_m2 * load.value / answer->load,
+                                  .counted_by = answer->counted_by};
+    }
 }
 
 struct known known_shown(const struct results *results, const struct asked *asked, const struct scene_asked *target,

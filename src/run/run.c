@@ -100,7 +100,7 @@ static enum status_code run_measured_on(struct run *run, size_t surface, struct 
     record->summary.carried = answers->carried ? estimate_value(&answers->fit) : 0;
     if (answers->carried && answers_find(record, results->scene, results->plan, &task, status) != STATUS_OK)
         return status->code;
-    known_check_limits(results, surface);
+    known_take_measured(results, surface);
     return STATUS_OK;
 }
 
