@@ -41,6 +41,15 @@ static double value_at(const struct contact_point *point, enum quantity quantity
     return apart && (quantity_rows[quantity].is & QUANTITY_ENDS) ? INFINITY : point->value[quantity];
 }
 
+/** The same within what physics allows. */
+static double value_within(const struct contact_point *point, enum quantity quantity, const struct model_row *row,
+                           const struct joint_task *joint)
+{
+    double bound[QUANTITY_COUNT][2];
+    joint_bounds(bound, point, row, joint);
+    return estimate_within(value_at(point, quantity), bound[quantity]);
+}
+
 /** The lower or upper end of the band about a curve. */
 struct band_end {
     const struct model_curve *curve;
@@ -87,10 +96,18 @@ struct search {
     const struct model_curve *known; /* the curve, where it is already computed */
     const struct band_end *end;      /* NULL: the curve itself */
     struct contact_point point;      /* at the load of the last run_at(); nothing if the curve has no point there */
-    bool asks_wider;
-    double value, full_load; /* NaN: none there */
+    bool asks_wider, carried;        /* carried: the curve is multiplied by a measured factor */
+    double value, full_load;         /* NaN: none there */
     struct status *status;
 };
+
+/** The value at the search's point: of the curve within what physics allows, but where a measured factor is carried. */
+static double found_value(const struct search *search)
+{
+    const enum quantity quantity = search->target->quantity;
+    return search->end || search->carried ? value_at(&search->point, quantity)
+                                          : value_within(&search->point, quantity, search->row, &search->joint);
+}
 
 /** Looks up a load on the known curve, to rounding. */
 static bool look_up(struct search *search, double load)
@@ -104,7 +121,7 @@ static bool look_up(struct search *search, double load)
     const bool ends = joint_is_held(&known->points[i], &search->joint) || !model_curve_bears(known, known->full_load);
     search->full_load = ends ? NAN : known->full_load;
     search->point = known->points[i];
-    search->value = value_at(&search->point, search->target->quantity);
+    search->value = found_value(search);
     return true;
 }
 
@@ -142,7 +159,7 @@ static void run_at(struct search *search, double load)
     search->full_load = curve.exists && model_curve_bears(search->known, curve.full_load) ? curve.full_load : NAN;
     if (curve.count > 0 && points[0].value[QUANTITY_LOAD] == load) {
         search->point = points[0];
-        search->value = value_at(points, search->target->quantity);
+        search->value = found_value(search);
     }
 }
 
@@ -235,8 +252,8 @@ static enum status_code find_load(struct answer *out, struct search *search)
         out->wider = found_beyond(search, at_first < 0);
     run_at(search, out->load);
     if (isnan(search->value) && search->full_load <= last && full_meets) {
-        out->full = search->full_load > first;
-        out->kind = out->full ? ANSWER_LOAD : ANSWER_LIGHTEST;
+        out->most = search->full_load > first;
+        out->kind = out->most ? ANSWER_LOAD : ANSWER_LIGHTEST;
         out->load = fmax(search->full_load, first);
     } else if (isnan(search->value) && known) { /* the values end before the last load */
         run_at(search, ends[0]);
@@ -244,6 +261,8 @@ static enum status_code find_load(struct answer *out, struct search *search)
         out->kind = near ? ANSWER_LOAD : ANSWER_NOT_REACHED;
         out->load = near ? ends[1] : search->full_load <= last ? last : ends[0];
     }
+    if (out->kind == ANSWER_LOAD && !out->most)
+        out->most = fabs(log(value_at(&search->point, quantity) / search->value)) > end_slack;
     if (search->full_load <= out->load)
         search->point = (struct contact_point){.value[QUANTITY_AREA] = 1};
     out->held = joint_is_held(&search->point, &search->joint);
@@ -313,7 +332,7 @@ static enum status_code find_interval(struct answer *out, const struct surface_r
         on_end.end = &end;
         if (find_load(&one, &on_end) != STATUS_OK)
             return search->status->code;
-        double load = one.kind == ANSWER_LOAD && !one.full ? one.load : NAN;
+        double load = one.kind == ANSWER_LOAD && !one.most ? one.load : NAN;
         out->wider = out->wider || one.wider;
         if (side == rises(search->target)) /* this end meets it at the lighter load */
             out->low = isnan(load) ? NAN : fmin(load, out->load);
@@ -344,7 +363,7 @@ static enum status_code answer_target(struct answer *out, const struct surface_r
                                  &search.joint};
     bool banded = record->bands[m] && !out->above_hardness && !isnan(band_shift(log(out->load), &any));
     out->wider = out->wider && banded;
-    return banded && out->kind == ANSWER_LOAD && !out->full ? find_interval(out, record, &search) : STATUS_OK;
+    return banded && out->kind == ANSWER_LOAD && !out->most ? find_interval(out, record, &search) : STATUS_OK;
 }
 
 const char *const limit_verdict_words[] = {
@@ -368,7 +387,8 @@ static struct limit_check check_point(const struct surface_record *record, size_
     const struct model_curve *curve = &record->curves[leading];
     const struct ensemble_band *band = record->bands[leading];
     enum quantity quantity = limit->quantity;
-    struct limit_check out = {.value = value_at(&curve->points[i], quantity), .low = NAN, .high = NAN};
+    struct limit_check out = {.low = NAN, .high = NAN};
+    out.value = value_within(&curve->points[i], quantity, model_rows[leading], joint);
     if (band && i < record->band_count && band[i].load == curve->points[i].value[QUANTITY_LOAD]) {
         out.low = at_end(&(struct band_end){curve, band, record->band_count, quantity, 0, joint}, i);
         out.high = at_end(&(struct band_end){curve, band, record->band_count, quantity, 1, joint}, i);
@@ -441,21 +461,22 @@ enum status_code answers_find(struct surface_record *record, const struct scene 
             return status_memory(status);
         struct model_task own = *task;
         own.evaluations = &model->evaluations;
-        const struct search search = {.row = model_rows[m],
-                                      .task = own,
-                                      .set = &record->ensemble,
-                                      .joint = joint,
-                                      .known = &record->curves[m],
-                                      .status = status};
+        struct search search = {.row = model_rows[m],
+                                .task = own,
+                                .set = &record->ensemble,
+                                .joint = joint,
+                                .known = &record->curves[m],
+                                .status = status};
         for (size_t t = 0; t < scene->target_count; t++) {
             struct answer *answer = &summary->answers[t * model_count + m];
             struct scene_asked target = scene->targets[t];
             if (summary->carried > 0 && m == summary->carried_model)
                 target.value = carried_target(&target, summary, scene, plan);
+            search.carried = target.value != scene->targets[t].value;
             if (answer_target(answer, record, &target, search) != STATUS_OK)
                 return status->code;
             bool met =
-                (answer->kind == ANSWER_LOAD || answer->kind == ANSWER_LIGHTEST) && !answer->full && !answer->held;
+                (answer->kind == ANSWER_LOAD || answer->kind == ANSWER_LIGHTEST) && !answer->most && !answer->held;
             size_t by = met ? counting_model(record, plan, m, answer->load) : model_count;
             if (by < model_count && count_spots(answer, &record->ensemble, by, &own, status) != STATUS_OK)
                 return status->code;
@@ -487,9 +508,9 @@ void answers_note(struct text *out, const struct answer *answer, double nominal_
     if (answer->kind == ANSWER_NOT_REACHED)
         text_add(out, "not reached up to %s%.3g%s%s", *load_unit ? "" : "P/(A_n E') = ", answer->load * load_scale,
                  *load_unit ? " " : "", load_unit);
-    if (answer->full)
-        text_add(out, "at full contact at the latest");
-    const char *before = answer->kind == ANSWER_LOAD && !answer->full ? "" : "; ";
+    if (answer->most)
+        text_add(out, "at the latest");
+    const char *before = answer->kind == ANSWER_LOAD && !answer->most ? "" : "; ";
     const char *const marks[] = {answer->invalid ? "beyond the model's validity" : NULL,
                                  answer->above_hardness ? "above the hardness" : NULL};
     for (int k = 0; k < 2 && answer->kind != ANSWER_NONE; k++)

@@ -264,7 +264,7 @@ static bool beyond_hardness(struct claims *c)
     put_number(c, "area", model->largest_area, 100 * model->largest_area, 2, "%");
     c->key = yields ? "beyond-hardness" : "beyond-model";
     return isnan(answer(c, c->i, QUANTITY_AREA)) &&
-           (yields || (model->ends && surface_model(summary_of(c, c->i), c->leading)->exists));
+           (yields || (model->ends && (!model->uses_strip || summary_of(c, c->i)->has_strips)));
 }
 
 /** How many spots carry the answer's load, in proportion to the load: those counted on a map that leads, else the
@@ -448,7 +448,7 @@ static bool ranking_holds(const struct claims *c)
     for (size_t k = 0; k < c->results->usable_count; k++) {
         const double value = answer(c, usable(c, k), ranking->criterion);
         const struct known known = known_value(c->results, c->asked.quantity, usable(c, k));
-        if (known.measured || known.kind == KNOWN_AT_MOST || (rises ? value > best : value < best))
+        if (known.measured || known.kind > KNOWN_VALUE || (rises ? value > best : value < best))
             return false;
     }
     return true;
@@ -575,10 +575,8 @@ static bool scans_to_decide(struct claims *c)
 /** The factor to either side of the interval of a modelled answer; NaN: it has none. */
 static double factor_on(const struct claims *c, size_t surface)
 {
-    const struct estimate *estimate = results_estimate(c->results, surface, c->asked.quantity);
-    return known_value(c->results, c->asked.quantity, surface).measured
-               ? NAN
-               : sqrt(estimate_end(estimate, 1) / estimate_end(estimate, 0));
+    const struct known known = known_value(c->results, c->asked.quantity, surface);
+    return known.measured ? NAN : sqrt(known.high / known.low);
 }
 
 /** The standard deviation of ln the answer from too few of the longest waves in a surface's scans: its part of the
@@ -716,7 +714,7 @@ static bool textbook(struct claims *c)
         const size_t t = (size_t)(c->asked.target - c->results->scene->targets);
         const struct answer *load = &summary_of(c, c->i)->answers[t * model_count + book];
         put_load(c, "value", c->i, load->load, 3);
-        return load->kind == ANSWER_LOAD && !load->full && !load->invalid;
+        return load->kind == ANSWER_LOAD && !load->most && !load->invalid;
     }
     const double value = comparison_middle(c->results, book, c->i).value[c->asked.quantity];
     put_number(c, "value", value, asked_shown(&c->asked, value), 3, c->asked.unit);

@@ -100,7 +100,7 @@ struct known known_load(const struct results *results, const struct scene_asked 
                carried = known_value(results, target->quantity, surface).measured;
     struct known out = {kinds[answer->kind], answer->load, answer->low,
                         answer->high,        carried,      .overloaded = !carried && answer->above_hardness};
-    if (answer->kind == ANSWER_LOAD && answer->full)
+    if (answer->kind == ANSWER_LOAD && answer->most)
         out.kind = KNOWN_AT_MOST;
     if (carried) {
         const struct measured *measured = results_measured(results, surface);

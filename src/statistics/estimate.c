@@ -96,6 +96,12 @@ static bool has_width(const struct estimate *estimate, double half_width)
     return half_width > least * (estimate->logarithmic ? 1 : fabs(estimate->mean));
 }
 
+double estimate_within(double value, const double bound[2])
+{
+    value = bound[0] > 0 && value < bound[0] ? bound[0] : value;
+    return bound[1] > 0 && value > bound[1] ? bound[1] : value;
+}
+
 static double end(const struct estimate *estimate, double half_width, int side)
 {
     if (!has_width(estimate, half_width))
@@ -105,9 +111,7 @@ static double end(const struct estimate *estimate, double half_width, int side)
         half_width = interval_quantile(estimate_level, estimate->degrees * pow(both / s, 4)) * both;
     }
     double value = estimate->mean + (side ? half_width : -half_width);
-    value = estimate->logarithmic ? exp(value) : value;
-    value = estimate->bound[0] > 0 ? fmax(value, estimate->bound[0]) : value;
-    return estimate->bound[1] > 0 ? fmin(value, estimate->bound[1]) : value;
+    return estimate_within(estimate->logarithmic ? exp(value) : value, estimate->bound);
 }
 
 double estimate_end(const struct estimate *estimate, int side)

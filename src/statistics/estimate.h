@@ -39,6 +39,8 @@ MUST_CHECK enum status_code estimate_make(struct estimate *out, const double *va
 /** From a positive value whose logarithm has the standard error s (NaN: not known) with these degrees of freedom. */
 struct estimate estimate_of_error(double value, double s, double degrees);
 
+/** A value within {least, most}; 0: no such limit. NaN stays. */
+double estimate_within(double value, const double bound[2]);
 /** The number itself: exp(mean) where logarithmic. */
 double estimate_value(const struct estimate *estimate);
 /** Low (0) or high (1) end of the interval of the surface's value, with the error of the model: v = s² + m², with

@@ -46,6 +46,7 @@ static void make(size_t scans)
     f.scene = (struct scene){.targets = f.targets, .nominal_area_m2 = 1e-6};
     struct surface_summary *summary = &f.record.summary;
     summary->pair = material_pair(material_find("tin"), MATERIAL_COUNTERFACE_RIGID, NULL);
+    summary->pair.hardness_Pa = NAN; /* so that physics bounds nothing */
     f.record.curves = calloc(model_count, sizeof *f.record.curves);
     f.record.bands = calloc(model_count, sizeof *f.record.bands);
     assert_true(f.record.curves && f.record.bands);
@@ -439,10 +440,10 @@ TEST_CASE(full_contact_meets_every_resistance_above_the_film)
         const struct answer *found = answer(met[k], "jg");
         assert_int_equal(found->kind, ANSWER_LOAD);
         assert_true(isnan(found->low) && isnan(found->high) && found->invalid);
-        assert_near(found->load, full, found->full ? 1e-9 : 1e-4); /* next to nothing just before it */
+        assert_near(found->load, full, found->most ? 1e-9 : 1e-4); /* next to nothing just before it */
     }
-    assert_true(answer(above, "jg")->full);
-    assert_note("at full contact at the latest; beyond the model's validity", answer(above, "jg"), NAN, 1, "");
+    assert_true(answer(above, "jg")->most);
+    assert_note("at the latest; beyond the model's validity", answer(above, "jg"), NAN, 1, "");
     assert_int_equal(answer(below, "jg")->kind, ANSWER_NOT_REACHED);
     assert_true(answer(below, "jg")->load == f.loads[LOADS - 1]);
     assert_int_equal(answer(below, "corrected-persson-plastic")->kind, ANSWER_NOT_REACHED); /* which never closes */
@@ -451,6 +452,43 @@ TEST_CASE(full_contact_meets_every_resistance_above_the_film)
     find();
     assert_int_equal(answer(above, "jg")->kind, ANSWER_NOT_REACHED);
     assert_near(answer(above, "jg")->load, end, 1e-6);
+}
+
+/* One spot of area P/H conducts the least that P can: no resistance below its own needs more load, whatever few spots
+ * a model counts. A limit has that number too. */
+TEST_CASE(a_single_spot_needs_the_most_load)
+{
+    make(1);
+    const struct material_pair *pair = &f.record.summary.pair;
+    const double hardness_Pa = f.record.summary.pair.hardness_Pa = f.task.hardness_Pa,
+                 area_m2 = f.scene.nominal_area_m2;
+    const size_t m = model_named("cmy");
+    struct contact_point points[LOADS + 1];
+    struct scene_asked limit = {.quantity = QUANTITY_ECR, .value = 1, .is_upper = true};
+    f.scene.limits = &limit;
+    f.scene.limit_count = 1;
+    f.plan.models = MODEL_BIT(m);
+    f.task.load_count = 3 * LOADS / 4;
+    f.task.operating_place = 1;
+    f.record.curves[m] = (struct model_curve){.points = points};
+    expect_ok(model_run, &f.record.curves[m], model_rows[m], &f.task);
+    const double load[] = {1e-8, 1e-4}; /* of less than a spot, and of more */
+    size_t target[2];
+    for (int k = 0; k < 2; k++) {
+        const double radius_m = sqrt(material_pair_pressure(pair, load[k]) * area_m2 / (M_PI * hardness_Pa)),
+                     single = pair->resistivity_ohm_m * area_m2 / (2 * radius_m),
+                     own = value_at(&f.task, "cmy", load[k], QUANTITY_ECR);
+        assert_true(k ? own < single : own > 1.02 * single);
+        target[k] = ask("ecr", fmin(own, single));
+    }
+    find();
+    for (int k = 0; k < 2; k++) {
+        assert_int_equal(answer(target[k], "cmy")->kind, ANSWER_LOAD);
+        assert_near(answer(target[k], "cmy")->load, load[k], 1e-8);
+        assert_true(answer(target[k], "cmy")->most == (k == 0));
+    }
+    const double radius_m = sqrt(material_pair_pressure(pair, f.loads[0]) * area_m2 / (M_PI * hardness_Pa));
+    assert_near(f.record.summary.limits[0].value, pair->resistivity_ohm_m * area_m2 / (2 * radius_m), 1e-12);
 }
 
 /* ln of band end over curve; grows with load, linearly in ln P. */
