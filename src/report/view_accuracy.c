@@ -77,43 +77,35 @@ static void put_effects(json_t *out, const struct view_source *source)
     view_flag(out, "any_skipped", skipped != NULL);
 }
 
-/** Numbers that were limited, clamped or left out, and on which surface most. */
+/** Numbers that were limited, clamped or left out. */
 static void put_stability(json_t *out, const struct view_source *source)
 {
     const struct results *results = source->results;
-    uint64_t limited = 0, most_limited = 0;
-    size_t on = 0, outside = 0, unsolved[2] = {0};
+    uint64_t limited = 0;
+    size_t outside = 0, unsolved[2] = {0};
     double clamped = 0;
     for (size_t i = 0; i < results->surface_count; i++) {
         const struct surface_summary *s = view_summary(source, i);
-        uint64_t own = 0;
         for (int k = 0; k < 2; k++)
             unsolved[k] += s->strip_unsolved[k];
         for (size_t m = 0; m < model_count && s->usable; m++) {
             const struct curve_summary *curve = surface_model(s, m);
             if (!curve->exists)
                 continue;
-            own += curve->clamped;
+            limited += curve->clamped;
             clamped = fmax(clamped, curve->most_radius_clamped);
             outside += isfinite(curve->operating.value[QUANTITY_AREA]) &&
                        !curve_summary_is_valid(curve, results_operating_load(results, i));
         }
-        limited += own;
-        if (own > most_limited) {
-            most_limited = own;
-            on = i;
-        }
     }
     json_t *item = view_part(out, "stability");
     view_counted(item, "limited", limited, NULL);
-    if (limited > 0)
-        view_text(item, "limited_on", view_name(source, on));
     if (clamped > 1e-4)
         json_set(item, "clamped", clamped);
     view_counted(item, "outside", outside, NULL);
     view_counted(item, "unsolved_loads", unsolved[0], NULL);
     view_counted(item, "unsolved_scans", unsolved[1], NULL);
-    view_flag(item, "nothing", limited == 0 && !(clamped > 1e-4) && unsolved[0] + unsolved[1] == 0);
+    view_flag(item, "nothing", limited == 0 && !(clamped > 1e-4));
 }
 
 void view_accuracy(json_t *out, const struct view_source *source)

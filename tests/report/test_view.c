@@ -605,12 +605,13 @@ TEST_OF_PLAIN(one_is_not_several)
     made.measured[0].count = made.run.end = 1;
     made.run.turn = 0;
     limit_areas(12);
-    report_says("12 areas of a scale at a load were limited to what is possible, most on *beta*.",
+    report_says("12 areas of a scale at a load were limited to what is possible.\n",
                 " is nearest to the point measured on *beta*.");
     limit_areas(1);
-    report_says("1 area of a scale at a load was limited to what is possible, on *beta*.");
+    report_says("1 area of a scale at a load was limited to what is possible.\n");
     limit_areas(0);
     report_lacks("limited to");
+    report_says("No area was limited, and no fit clamped.");
 }
 
 /* Two of three surfaces lack a law of a decade: one has none, one a narrow band. */
