@@ -594,12 +594,14 @@ static double waves_sd(const struct claims *c, size_t surface)
 /** The widest interval of a modelled answer, and what part of its variance each cause has, the largest first. */
 static bool uncertainty(struct claims *c)
 {
-    static const char *const names[] = {"model", "scans", "waves"}, *const of_map[] = {"model", "map", "waves"};
+    static const char *const names[] = {"model", "scans", "waves"};
     const struct extent factor = extent_of(c, factor_on, INFINITY);
     if (!(factor.most > 1))
         return false;
     const size_t surface = factor.at_most;
-    const char *const *causes = summary_of(c, surface)->has_map ? of_map : names;
+    const char *const scans = !summary_of(c, surface)->has_map   ? names[1]
+                              : model_rows[c->leading]->uses_map ? "map"
+                                                                 : "row";
     const struct estimate *known = results_estimate(c->results, surface, c->asked.quantity);
     const double waves = pow(waves_sd(c, surface), 2);
     double variance[] = {known->model_sd * known->model_sd - waves, known->s * known->s, waves};
@@ -612,7 +614,8 @@ static bool uncertainty(struct claims *c)
         json_set(c->numbers, names[most], variance[most] / all);
         if (variance[most] >= 0.03 * all)
             text_add(&parts, "%s%s", n > 0 ? ", " : "",
-                     words_say(c->words, "cause.%s\npercent %.0f", causes[most], 100 * variance[most] / all));
+                     words_say(c->words, "cause.%s\npercent %.0f", most == 1 ? scans : names[most],
+                               100 * variance[most] / all));
         variance[most] = -1;
     }
     c->weight = factor.most;

@@ -41,7 +41,7 @@ struct ensemble {
     double *scan_weight;    /* of each scan its length over that of the shortest */
     size_t scan_count;      /* 1: a map, whose rows the members are */
     double sigma_m;         /* rms height of the surface */
-    bool keeps_heights;     /* also of pieces and of rows of a map */
+    bool keeps_heights;     /* also of pieces */
     bool solved_alone;      /* models that use strips answer only for members that have one */
 };
 void ensemble_free(struct ensemble *set);

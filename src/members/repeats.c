@@ -35,9 +35,8 @@ enum status_code repeats_add(struct ensemble *set, size_t row, size_t rows, stru
     *member = *own;
     member->scan = set->scan_count - 1;
     member->is_row = rows > 1;
-    member->height_m = rows == 1 || set->keeps_heights ? profile->height_m : NULL;
-    if (member->height_m)
-        profile->height_m = NULL;
+    member->height_m = profile->height_m;
+    profile->height_m = NULL;
     return STATUS_OK;
 }
 

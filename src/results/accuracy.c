@@ -29,7 +29,7 @@ static void set_error(struct accuracy *out, const struct results *results, size_
     if (out->sd > 0)
         out->sd = hypot(out->sd, accuracy_few_waves_sd(results, results->baseline));
     else if (model_rows[m]->uses_map)
-        out->sd = curve_summary_estimate(surface_model(summary, m), (int)held)->s;
+        out->sd = curve_summary_estimate(surface_model(summary, m), (int)held)->half_width / log(model_factor(1));
     out->known = out->sd > 0;
 }
 

@@ -64,6 +64,15 @@ TEST_CASE(what_accuracy_costs)
     for (size_t i = 0; i < made.benchmark.count; i++)
         made.benchmark.rows[i].seconds = made.benchmark.rows[i].model == gw ? 1 : 1e-6;
     assert_near(accuracy_of(&made.results, gw, QUANTITY_ECR).seconds[0], 1, 1e-12);
+    const size_t map = model_named("direct"); /* its factor is that of its own interval */
+    struct estimate all[CURVE_ESTIMATES] = {[QUANTITY_ECR] = estimate_of_error(1e-9, 0.2, 3)};
+    const struct estimate *ecr = &all[QUANTITY_ECR];
+    struct curve_summary **solved = &made_up_surface(&made, made.results.baseline)->models[map];
+    assert_non_null(*solved = calloc(1, sizeof **solved));
+    expect_ok(curve_summary_put_estimates, *solved, all);
+    made.benchmark.rows[0].model = map;
+    assert_near(model_factor(accuracy_of(&made.results, map, QUANTITY_ECR).sd),
+                sqrt(estimate_end(ecr, 1) / estimate_end(ecr, 0)), 1e-12);
     made.results.benchmark = NULL;
     assert_false(accuracy_of(&made.results, gw, QUANTITY_ECR).known);
     made.results.benchmark = &made.benchmark;
