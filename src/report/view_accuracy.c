@@ -37,6 +37,7 @@ static void put_models(json_t *out, const struct view_source *source)
         finest += accuracy.seconds[BENCHMARK_STEPS - 1];
         solved = fmax(solved, accuracy.seconds[accuracy.used]);
     }
+    view_flag(out, "solved_here", results_direct_baseline(source->results) != NULL);
     const double few_waves = accuracy_few_waves_sd(source->results, source->results->baseline);
     if (few_waves > log(1.05))
         json_set(out, "few_waves", model_factor(few_waves));

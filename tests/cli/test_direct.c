@@ -121,7 +121,9 @@ TEST_IN_WORKSPACE(test_off)
         report_scene(place, "out", NULL);
         assert_int_equal(workspace_count(place, "direct"), 0);
         assert_int_equal(workspace_count(place, "patches"), 0);
-        expect_not_in_file(place, "out/report.md", "## Against a direct solution");
+        run_to_exit(place, 0, "report", "d", "-o", "cost");
+        expect_in_file(place, "cost/report.md", "**What accuracy costs.**", ", 95 % | time |");
+        expect_not_in_file(place, "cost/report.md", "against the direct solution");
         expect_in_file(place, "out/report.md",
                        "direct (not called for; it takes seconds to minutes and says how far each model is off)");
         assert_null(json_object_get(workspace_json(place, "out/results.json"), "direct"));
