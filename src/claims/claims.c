@@ -596,7 +596,7 @@ static bool uncertainty(struct claims *c)
 {
     static const char *const names[] = {"model", "scans", "waves"};
     const struct extent factor = extent_of(c, factor_on, INFINITY);
-    if (!(factor.most > 1))
+    if (!(factor.most >= 1.05)) /* of which two digits would be 1.0 */
         return false;
     const size_t surface = factor.at_most;
     const char *const scans = !summary_of(c, surface)->has_map   ? names[1]
