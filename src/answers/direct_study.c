@@ -156,6 +156,8 @@ static enum status_code run_models(struct maker *maker, struct status *status)
     ask.spectrum = &study->rows; /* all waves of this surface are known */
     ask.levelled = false;
     ask.asperities = has_asperities ? &asperities : NULL;
+    if (!isnan(asked.scene->direct.hardness_Pa)) /* else both have the surface's */
+        ask.hardness_Pa = asked.scene->direct.hardness_Pa;
     ask.transfer = NULL; /* the map's own solution is what models are compared with */
     enum status_code rc = STATUS_OK;
     for (size_t m = 0; m < model_count && rc == STATUS_OK; m++) {
