@@ -111,18 +111,6 @@ static void decide_scale_dependence(struct plan *plan, const struct surface_reco
                           shown(by, 100 * most), most > tolerance ? "" : "little"));
 }
 
-/** Records how many spectra can be extrapolated. */
-static void decide_convergence(struct plan *plan, const struct surface_record *surfaces, size_t count)
-{
-    size_t usable = 0, carried_on = 0;
-    for (size_t i = 0; i < count; i++) {
-        usable += surfaces[i].summary.usable;
-        carried_on += surfaces[i].summary.usable && !isnan(surfaces[i].summary.tail.gamma);
-    }
-    plan_decide(plan, EFFECT_CONVERGENCE, true,
-                words_say(plan->words, "effect.sweeps\ncarried_on %zu\nsurfaces %zu", carried_on, usable));
-}
-
 /** Runs if a surface has a single scan. */
 static void decide_uncertainty(struct plan *plan, const struct surface_record *surfaces, size_t count)
 {
@@ -191,8 +179,6 @@ void effects_decide(struct plan *plan, const struct scene *scene, const struct s
         decide_plasticity(plan, scene, surfaces, count);
     if (open & EFFECT_BIT(EFFECT_SCALE_DEPENDENT))
         decide_scale_dependence(plan, surfaces, count, scene->tolerance);
-    if (open & EFFECT_BIT(EFFECT_CONVERGENCE))
-        decide_convergence(plan, surfaces, count);
     if (open & EFFECT_BIT(EFFECT_UNCERTAINTY))
         decide_uncertainty(plan, surfaces, count);
 }

@@ -59,7 +59,10 @@ static void decide(struct plan *plan, enum effect effect, const struct scene *sc
         why = "effect.needs_effect";
     } else {
         runs = true;
-        why = row->key ? "effect.key" : row->properties[0] ? "effect.material" : "effect.needs_none";
+        why = listed               ? "effect.listed"
+              : key                ? "effect.key"
+              : row->properties[0] ? "effect.material"
+                                   : "effect.needs_none";
     }
     plan_decide(plan, effect, runs, lack ? lack : words_say(plan->words, "%s\nkey %s", why, key ? key : ""));
 }
