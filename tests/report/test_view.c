@@ -559,7 +559,7 @@ TEST_OF_PLAIN(both_ends_beyond_the_loads_are_told)
     struct answer *leading = &answers[plan_leading_model(&made.plan)];
     leading->low = leading->high = NAN;
     leading->wider = true;
-    assert_says_page("**Loads too narrow:** the interval of *beta* ends beyond the loads of this report", "–…");
+    assert_says_page("**Loads too narrow:** the load of *beta* or an end of its interval is beyond those of this report", "–…");
     report_says("| beta | 20 |");
     leading->wider = false; /* nothing is known of how far it may be off, or no load would tell */
     made_up_again(&made);
