@@ -42,7 +42,8 @@ static void put_models(json_t *out, const struct view_source *source)
     if (few_waves > log(1.05))
         json_set(out, "few_waves", model_factor(few_waves));
     view_flag(out, "digits_are_free", finest - coarsest < 0.1 * solved);
-    put_seconds(out, "digits", fmax(finest - coarsest, 0)); /* two timings: the finer may happen to be faster */
+    if (finest > coarsest) /* two timings: the finer may happen to be faster */
+        put_seconds(out, "digits", finest - coarsest);
 }
 
 /** By how much an effect that ran changes what is asked. */

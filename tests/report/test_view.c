@@ -559,7 +559,8 @@ TEST_OF_PLAIN(both_ends_beyond_the_loads_are_told)
     struct answer *leading = &answers[plan_leading_model(&made.plan)];
     leading->low = leading->high = NAN;
     leading->wider = true;
-    assert_says_page("**Loads too narrow:** the load of *beta* or an end of its interval is beyond those of this report", "–…");
+    assert_says_page(
+        "**Loads too narrow:** the load of *beta* or an end of its interval is beyond those of this report", "–…");
     report_says("| beta | 20 |");
     leading->wider = false; /* nothing is known of how far it may be off, or no load would tell */
     made_up_again(&made);
@@ -612,6 +613,16 @@ TEST_OF_PLAIN(one_is_not_several)
     limit_areas(0);
     report_lacks("limited to");
     report_says("No area was limited, and no fit clamped.");
+}
+
+/* Digits that took no time are told without one. */
+TEST_OF_PLAIN(digits_that_cost_nothing)
+{
+    report_says("More digits are nearly free.\n");
+    for (size_t i = 0; i < made.benchmark.count; i++)
+        made.benchmark.rows[i].seconds *= made.benchmark.rows[i].tolerance < 1e-12 ? 1.01 : 1;
+    made_up_again(&made);
+    report_says("More digits are nearly free: solving every curve to 1e-13 instead of 1e-2 takes ");
 }
 
 /* Two of three surfaces lack a law of a decade: one has none, one a narrow band. */
