@@ -83,7 +83,7 @@ enum status_code direct_law_match(struct direct_law *out, const double moments[3
     if (!match_gamma(out, sums, range, wanted))
         return status_fail(status, STATUS_MODEL,
                            "no power law cut off at %g m has the measured heights and slopes (rms %g m and %g): it "
-                           "reaches slopes from %.3g to %.3g; choose another lambda_s",
+                           "reaches slopes from %.3g to %.3g; take a finer grid, or another lambda_s",
                            lambda_s_m, sqrt(m0_m2), sqrt(m2), sqrt(range[0] * m2 / wanted),
                            sqrt(range[1] * m2 / wanted));
     while (high - low > 1e-12 * high) { /* m1/sqrt(m0 m2) rises with the roll-off until no gamma is steep enough */

@@ -289,8 +289,6 @@ void view_direct(json_t *out, const struct view_source *source)
     if (!plan_runs(results->plan, EFFECT_DIRECT))
         return;
     json_t *item = view_part(out, "direct");
-    view_text(item, "reason", results->plan->effects[EFFECT_DIRECT].reason);
-    view_flag(item, "solved", results->direct_count > 0);
     for (enum quantity q = 0; q < QUANTITY_COUNT; q++)
         if (quantity_rows[q].solved.ratio && wants(source, q))
             put_head(item, source, "table.direct", q);

@@ -200,7 +200,9 @@ TEST_IN_WORKSPACE(test_impossible)
     write_profile(place, EFFECTS "load: {values: [1e-9]}\ndirect: {grid: 64, seeds: 1}\n");
     report_scene(place, "out", NULL);
     assert_false(workspace_has(place, "out/data/direct.csv"));
-    expect_in_file(place, "out/report.md", "No direct solution: called for, but no load of the scene lies between");
+    expect_in_file(place, "out/report.md", "## The models against the direct solution\n\n*",
+                   "* is not solved: no load of the scene lies between");
+    expect_not_in_file(place, "out/report.md", "No direct solution");
 }
 
 TEST_IN_WORKSPACE(test_key)

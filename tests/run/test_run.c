@@ -118,7 +118,7 @@ PLACED(test_no_convergence_leaves_the_report)
 {
     pipeline_report(*state, "in", "out",
                     "material: tin\neffects: [electrical]\nbaseline: b\ndirect: {grid: 64, seeds: 1, loads: 3}\n");
-    expect_in_file(*state, "out/report.md", "## The models against the direct solution\n\nNo direct solution: ",
+    expect_in_file(*state, "out/report.md", "## The models against the direct solution\n\n*b* is not solved: ",
                    "does not converge at p/E' = 0.01", "*b* at ");
     expect_not_in_file(*state, "out/report.md", "figures/direct");
     assert_false(directory_has(*state, "out/data/direct.csv"));
