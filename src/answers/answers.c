@@ -257,7 +257,8 @@ static enum status_code find_load(struct answer *out, struct search *search)
         out->load = fmax(search->full_load, first);
     } else if (isnan(search->value) && known) { /* the values end before the last load */
         run_at(search, ends[0]);
-        bool near = fabs(log(search->value / search->target->value)) < end_slack;
+        bool near = quantity != QUANTITY_TEMPERATURE && /* of which most is the surroundings' */
+                    fabs(log(search->value / search->target->value)) < end_slack;
         out->kind = near ? ANSWER_LOAD : ANSWER_NOT_REACHED;
         out->load = near ? ends[1] : search->full_load <= last ? last : ends[0];
     }

@@ -344,8 +344,10 @@ void joint_bounds(double out[QUANTITY_COUNT][2], const struct contact_point *poi
     out[QUANTITY_ECR][1] = one.value[QUANTITY_ECR];
     out[QUANTITY_TCR][1] = one.value[QUANTITY_TCR];
     joint_apply(&one, NULL, 1, task, NULL);
-    if (isfinite(one.value[QUANTITY_JOINT_ECR]))
-        out[QUANTITY_JOINT_ECR][1] = one.value[QUANTITY_JOINT_ECR];
+    static const enum quantity follow[] = {QUANTITY_JOINT_ECR, QUANTITY_VOLTAGE, QUANTITY_TEMPERATURE};
+    for (size_t k = 0; k < sizeof follow / sizeof *follow; k++)
+        if (isfinite(one.value[follow[k]]))
+            out[follow[k]][1] = one.value[follow[k]];
     out[QUANTITY_JOINT][0] = 1 / out[QUANTITY_TCR][1];
 }
 
