@@ -335,10 +335,7 @@ static enum status_code find_interval(struct answer *out, const struct surface_r
             return search->status->code;
         double load = one.kind == ANSWER_LOAD && !one.most ? one.load : NAN;
         out->wider = out->wider || one.wider;
-        if (side == rises(search->target)) /* this end meets it at the lighter load */
-            out->low = isnan(load) ? NAN : fmin(load, out->load);
-        else
-            out->high = isnan(load) ? NAN : fmax(load, out->load);
+        *(side == rises(search->target) ? &out->low : &out->high) = load; /* it meets it at the lighter load, or not */
     }
     return STATUS_OK;
 }

@@ -818,7 +818,7 @@ static void make_accuracy(struct chart *chart, const struct source *source)
                 true, true);
     for (size_t m = 0; m < model_count; m++) {
         const struct accuracy accuracy = accuracy_of(source->results, m, source->asked.quantity);
-        if (!accuracy.known)
+        if (!(accuracy.sd > 0))
             continue;
         struct chart_curve look = model_look(m);
         const char *name = look.legend;

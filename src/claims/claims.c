@@ -586,7 +586,8 @@ static double waves_sd(const struct claims *c, size_t surface)
     const double few = accuracy_few_waves_sd(c->results, surface),
                  own = model_sd(model_rows[c->leading], c->asked.quantity, surface_knows_both(summary_of(c, surface)));
     const double of_answer = results_estimate(c->results, surface, c->asked.quantity)->model_sd;
-    if (!(few > 0) || model_rows[c->leading]->uses_map)
+    if (!(few > 0) || model_rows[c->leading]->uses_map || nothing_touches(c, surface) ||
+        known_value(c->results, c->asked.quantity, surface).measured)
         return 0;
     return of_answer > 0 ? of_answer * few / hypot(few, own) : quantity_of_joint(c->asked.quantity) ? 0 : few;
 }
@@ -668,20 +669,14 @@ static bool one_direction(struct claims *c)
     return some && one >= 1.1 * two && !gaps_conduct(c) && !runs(c, EFFECT_SHAPE); /* with a hardness it is little */
 }
 
-static double modelled_waves_sd(const struct claims *c, size_t surface)
-{
-    const bool measured = known_value(c->results, c->asked.quantity, surface).measured;
-    return measured || nothing_touches(c, surface) ? NAN : waves_sd(c, surface);
-}
-
 static bool short_scans(struct claims *c)
 {
-    const struct extent sd = extent_of(c, modelled_waves_sd, INFINITY);
+    const struct extent sd = extent_of(c, waves_sd, INFINITY);
     c->weight = model_factor(sd.most);
     put(c, "waves", summary_of(c, sd.at_most)->longest_waves);
     put(c, "factor", c->weight);
     put_surface(c, sd.at_most);
-    return c->weight >= 1.1 && isfinite(c->weight);
+    return c->weight >= 1.1;
 }
 
 /* ---- What stands beside the answer ---- */

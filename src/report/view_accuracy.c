@@ -26,7 +26,7 @@ static void put_models(json_t *out, const struct view_source *source)
     double finest = 0, coarsest = 0, solved = 0;
     for (size_t m = 0; m < model_count; m++) {
         const struct accuracy accuracy = accuracy_of(source->results, m, quantity);
-        if (!accuracy.known)
+        if (!(accuracy.sd > 0))
             continue;
         json_t *row = view_item(rows);
         view_text(row, "label", model_rows[m]->label);

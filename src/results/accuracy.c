@@ -30,12 +30,11 @@ static void set_error(struct accuracy *out, const struct results *results, size_
         out->sd = hypot(out->sd, accuracy_few_waves_sd(results, results->baseline));
     else if (model_rows[m]->uses_map)
         out->sd = curve_summary_estimate(surface_model(summary, m), (int)held)->half_width / log(model_factor(1));
-    out->known = out->sd > 0;
 }
 
 struct accuracy accuracy_of(const struct results *results, size_t model, enum quantity quantity)
 {
-    struct accuracy out = {.known = false};
+    struct accuracy out = {.sd = 0};
     const struct benchmark *cost = results->benchmark;
     const struct surface_summary *summary = &results->surfaces[results->baseline].summary;
     size_t first = 0;

@@ -7,8 +7,8 @@
 
 /** Of a quantity of a model on the baseline. */
 struct accuracy {
-    bool known;                          /* false: the model does not run, nothing was timed, or no error is known */
-    double sd;                           /* of ln the quantity: model_sd() and too few waves; of a map its grid's */
+    double sd;                           /* of ln the quantity: model_sd() and too few waves; of a map its grid's; not
+                                            above 0: the model does not run, nothing was timed, or no error is known */
     double here;                         /* the factor it is off by from the direct solution of this very surface, the
                                             largest of all loads solved; NaN: not solved */
     double seconds[BENCHMARK_STEPS];     /* at each tolerance, what is solved for the model's ratios included */
