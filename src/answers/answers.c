@@ -327,8 +327,6 @@ static enum status_code find_interval(struct answer *out, const struct surface_r
         const struct band_end end = {
             &record->curves[m], record->bands[m], record->band_count, search->target->quantity, side, &search->joint};
         struct answer one;
-        if (isnan(band_shift(log(out->load), &end)))
-            return STATUS_OK;
         struct search on_end = *search;
         on_end.end = &end;
         if (find_load(&one, &on_end) != STATUS_OK)

@@ -341,14 +341,13 @@ void joint_bounds(double out[QUANTITY_COUNT][2], const struct contact_point *poi
     one.value[QUANTITY_AREA] = share;
     one.value[QUANTITY_ECR] = task->pair->resistivity_ohm_m * length_m;
     one.value[QUANTITY_TCR] = length_m / task->pair->conductivity_W_per_mK;
-    out[QUANTITY_ECR][1] = one.value[QUANTITY_ECR];
-    out[QUANTITY_TCR][1] = one.value[QUANTITY_TCR];
     joint_apply(&one, NULL, 1, task, NULL);
-    static const enum quantity follow[] = {QUANTITY_JOINT_ECR, QUANTITY_VOLTAGE, QUANTITY_TEMPERATURE};
-    for (size_t k = 0; k < sizeof follow / sizeof *follow; k++)
-        if (isfinite(one.value[follow[k]]))
-            out[follow[k]][1] = one.value[follow[k]];
-    out[QUANTITY_JOINT][0] = 1 / out[QUANTITY_TCR][1];
+    static const enum quantity most[] = {QUANTITY_ECR, QUANTITY_TCR, QUANTITY_JOINT_ECR, QUANTITY_VOLTAGE,
+                                         QUANTITY_TEMPERATURE};
+    for (size_t k = 0; k < sizeof most / sizeof *most; k++)
+        if (isfinite(one.value[most[k]]))
+            out[most[k]][1] = one.value[most[k]];
+    out[QUANTITY_JOINT][0] = 1 / one.value[QUANTITY_TCR];
 }
 
 enum status_code joint_curve(struct model_curve *curve, const struct model_row *row, const struct model_task *task,

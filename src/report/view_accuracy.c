@@ -23,7 +23,7 @@ static void put_models(json_t *out, const struct view_source *source)
     json_t *rows = view_list(out, "models");
     view_text(out, "quantity",
               words_say(source->words, "%s", quantity_of_joint(quantity) ? "asked.spots" : source->asked.name));
-    double finest = 0, coarsest = 0, solved = 0;
+    double finest = 0, coarsest = 0;
     for (size_t m = 0; m < model_count; m++) {
         const struct accuracy accuracy = accuracy_of(source->results, m, quantity);
         if (!(accuracy.sd > 0))
@@ -35,13 +35,11 @@ static void put_models(json_t *out, const struct view_source *source)
         put_seconds(row, "time", accuracy.seconds[accuracy.used]);
         coarsest += accuracy.seconds[0];
         finest += accuracy.seconds[BENCHMARK_STEPS - 1];
-        solved = fmax(solved, accuracy.seconds[accuracy.used]);
     }
     view_flag(out, "solved_here", results_direct_baseline(source->results) != NULL);
     const double few_waves = accuracy_few_waves_sd(source->results, source->results->baseline);
     if (few_waves > log(1.05))
         json_set(out, "few_waves", model_factor(few_waves));
-    view_flag(out, "digits_are_free", finest - coarsest < 0.1 * solved);
     if (finest > coarsest) /* two timings: the finer may happen to be faster */
         put_seconds(out, "digits", finest - coarsest);
 }

@@ -62,10 +62,9 @@ double accuracy_effect_factor(const struct results *results, enum effect effect,
     const struct model_row *row = model_rows[leading];
     const struct contact_point with = comparison_middle(results, leading, surface);
     struct contact_point without = with;
-    if (!plan_runs(results->plan, effect) || effect_rows[effect].adds || effect_rows[effect].studies)
-        return NAN;
-    if (effect != EFFECT_SHAPE && effect != EFFECT_PLASTICITY && plan_runs(results->plan, EFFECT_SHAPE))
-        return NAN; /* the shape would have to be solved again */
+    if (!plan_runs(results->plan, effect) || effect_rows[effect].adds || effect_rows[effect].studies ||
+        (effect != EFFECT_SHAPE && effect != EFFECT_PLASTICITY && plan_runs(results->plan, EFFECT_SHAPE)))
+        return NAN; /* in the last case the shape would have to be solved again */
     if (effect == EFFECT_PLASTICITY) {
         if (!row->elastic)
             return NAN;
