@@ -716,7 +716,7 @@ static bool textbook(struct claims *c)
     }
     const double value = comparison_middle(c->results, book, c->i).value[c->asked.quantity];
     put_number(c, "value", value, asked_shown(&c->asked, value), 3, c->asked.unit);
-    return isfinite(value) &&
+    return isfinite(value) && known_value(c->results, c->asked.quantity, c->i).kind <= KNOWN_VALUE &&
            curve_summary_is_valid(surface_model(summary_of(c, c->i), book), results_operating_load(c->results, c->i));
 }
 
