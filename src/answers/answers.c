@@ -383,13 +383,15 @@ static struct limit_check check_point(const struct surface_record *record, size_
     const struct model_curve *curve = &record->curves[leading];
     const struct ensemble_band *band = record->bands[leading];
     enum quantity quantity = limit->quantity;
-    struct limit_check out = {.low = NAN, .high = NAN};
-    out.value = value_within(&curve->points[i], quantity, model_rows[leading], joint);
+    const double own = value_at(&curve->points[i], quantity);
+    struct limit_check out = {value_within(&curve->points[i], quantity, model_rows[leading], joint), NAN, NAN, 0};
     if (band && i < record->band_count && band[i].load == curve->points[i].value[QUANTITY_LOAD]) {
         out.low = at_end(&(struct band_end){curve, band, record->band_count, quantity, 0, joint}, i);
         out.high = at_end(&(struct band_end){curve, band, record->band_count, quantity, 1, joint}, i);
     }
     out.verdict = answers_judge(&out, limit);
+    if (out.verdict == LIMIT_MISSED && fabs(log(own / out.value)) > end_slack)
+        out.verdict = LIMIT_UNDECIDED;                 /* of what is known only to be beyond an end */
     out.value = isfinite(out.value) ? out.value : NAN; /* no metal touches */
     return out;
 }

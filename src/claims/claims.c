@@ -619,8 +619,7 @@ static bool uncertainty(struct claims *c)
                                100 * variance[most] / all));
         variance[most] = -1;
     }
-    c->weight = factor.most;
-    put(c, "factor", c->weight);
+    put(c, "factor", c->weight = factor.most);
     put_text(c, "parts", text_string(&parts));
     text_free(&parts);
     return true;

@@ -112,8 +112,7 @@ void joint_model_sd(double out[QUANTITY_COUNT], const struct contact_point *poin
 
 /** Physical bounds {least, most} at a point of a model with a hardness H; 0: none. Area: at least P/H. Resistance: at
  * most that of one spot of area P/H, (rho_1 + rho_2)/(4a), pi a² = P/H (Holm 1967), where the nominal area is known;
- * with it the film's, the voltage and temperature of a current, and the conductance of the joint without its gaps. Gap:
- * at least a bond line. */
+ * with it the film's, a current's voltage and temperature, the joint's conductance without gaps. Gap: a bond line. */
 void joint_bounds(double out[QUANTITY_COUNT][2], const struct contact_point *point, const struct model_row *row,
                   const struct joint_task *task);
 

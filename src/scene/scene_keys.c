@@ -414,7 +414,7 @@ const struct scene_key scene_keys[] = {
      "a mapping of such quantities, each {most: value} or {least: value}, at the operating load; `report --check` ends "
      "with 5 where one is missed, with 6 where none is and one is undecided",
      scene_asked_read, .at = 0},
-    {"tolerance", "relative, that curves and targets are solved to; strips and maps have their own; default: 1e-6",
+    {"tolerance", "relative, of what closed forms are computed to; default: 1e-6",
      SCENE_NUMBER(AT(tolerance), 1e-14, 0.1)},
     {"accuracy",
      "that 95 of 100 answers are to lie within, as 200 % (a factor of 3): of the models that docs/validation.md finds "

@@ -489,6 +489,10 @@ TEST_CASE(a_single_spot_needs_the_most_load)
     }
     const double radius_m = sqrt(material_pair_pressure(pair, f.loads[0]) * area_m2 / (M_PI * hardness_Pa));
     assert_near(f.record.summary.limits[0].value, pair->resistivity_ohm_m * area_m2 / (2 * radius_m), 1e-12);
+    assert_int_equal(f.record.summary.limits[0].verdict, LIMIT_MET);
+    limit.value = 0.9 * f.record.summary.limits[0].value; /* it may be less than that of a spot */
+    find();
+    assert_int_equal(f.record.summary.limits[0].verdict, LIMIT_UNDECIDED);
 }
 
 /* ln of band end over curve; grows with load, linearly in ln P. */
