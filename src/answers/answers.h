@@ -23,7 +23,7 @@ struct answer {
     double low, high;    /* 95 % interval of the load; NaN: not known */
     double spots_per_m2; /* at that load; NaN: not known */
     bool invalid;        /* the model is outside its range there */
-    bool most;  /* `load` is an end: full contact, before which the values end, or what physics allows meets the target */
+    bool most;  /* `load` is an end: at full contact, before which values end, or by physics the target is met there */
     bool wider; /* an end of the interval lies outside the loads; wider loads could give it */
     bool held;  /* there, or from there on, a filler's bond line fixes the gap, and more load changes nothing */
     bool above_hardness; /* an elastic model whose mean contact pressure exceeds the hardness there */

@@ -149,7 +149,8 @@ TEST_IN_DIRECTORY(joints_of_a_map)
         snprintf(from, sizeof from, "%.9g", load * 0.95);
         snprintf(to, sizeof to, "%.9g", load * 1.05);
         run_scene(place, "narrow", filled(with, from, to, gaps[k], asked));
-        expect_in_file(place, "narrow/report.md", "**Loads too narrow:** the load of *a* or an end of its interval is beyond");
+        expect_in_file(place, "narrow/report.md",
+                       "**Loads too narrow:** the load of *a* or an end of its interval is beyond");
     }
     run_scene(place, "any", /* the lightest load conducts a thousand times that, as no load would */
               filled(with, "1e-6", "1e-4", "{filler: silicone grease}", "targets: {conductance: 1 kW/m2/K}\n"));
