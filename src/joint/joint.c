@@ -21,7 +21,7 @@ const struct joint_layer joint_platings[] = {
     {0},
     {2.3e-8, 0.5e-6, 1.3e-6, 1.667e9,
      HARTING "that of gold, unchecked for hard gold, whose cobalt raises it: give the plater's; " COPPER
-             ", 20 to 50 microinches; hardness: 170 HK, middle of code C of ASTM B488, 130 to 200 (aotco.com)"},
+             ", 20 to 50 microinches; hardness: 170 HK, of the 130 to 200 of code C of ASTM B488 (aotco.com)"},
     {2.3e-8, 0.25e-6, 5e-6, 0.883e9,
      HARTING "thickness: classes 0.25 to 5 of ASTM B488 as told by aotco.com; hardness: 90 HK, the most of its code A"},
     {12e-8, 2.5e-6, 10e-6, 100e6,

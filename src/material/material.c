@@ -74,8 +74,8 @@ const struct material material_table[] = {
      "theworldmaterial.com; longitudinal v_s computed from E, nu and density",
      NAN, NAN, 0},
     {"hard-gold", 78e9, 0.44, 587e6, NAN, NAN, NAN, NAN, NAN,
-     "cobalt-hardened gold plate, type I code C of ASTM B488, 130...200 HK25: hardness of its middle, 170 HK = 1.67 "
-     "GPa; S_y computed as H/2.84; E, nu of bulk gold; what it conducts depends on its cobalt and carbon: give it",
+     "cobalt-hardened gold plate, type I code C of ASTM B488, 130...200 HK25: hardness 170 HK = 1.67 GPa; "
+     "S_y computed as H/2.84; E, nu of bulk gold; what it conducts depends on its cobalt and carbon: give it",
      1.667e9, NAN, GOLD_ELECTRONS},
     {"beryllium-copper", 131e9, 0.30, 965e6, 7.68e-8, 107, 8350, 419, 4590,
      "CuBe2 (C17200), solution treated and aged (TF00): S_y minimum of ASTM B194; E, nu, c_p ASM Handbook vol. 2; "

@@ -63,6 +63,14 @@ json_t *json_joint(const struct results *results)
     return json;
 }
 
+static json_t *files_json(const struct scene_files *of)
+{
+    json_t *files = json_array();
+    for (size_t f = 0; f < of->count; f++)
+        json_array_append_new(files, json_shown(of->path[f]));
+    return files;
+}
+
 static json_t *scene_json(const struct results *results)
 {
     const struct scene *scene = results->scene;
@@ -111,8 +119,8 @@ static json_t *scene_json(const struct results *results)
         json_object_set_new(json, "measured_file", json_shown(scene->measured.files.path[0]));
     if (results->counterface)
         json_object_set_new(json, "counterface_surface",
-                            json_pack("{s:o, s:s}", "file", json_shown(scene->counterface_surface.files.path[0]),
-                                      "sha256", results->counterface->summary.hash));
+                            json_pack("{s:o, s:s}", "files", files_json(&scene->counterface_surface.files), "sha256",
+                                      results->counterface->summary.hash));
     json_set_all(json, "fit_band_m", scene->fit_band_m, 2);
 #define FIELD(...) RECORD_FIELD(struct scene_convergence, __VA_ARGS__)
     static const struct record_field convergence[] = {
@@ -187,14 +195,6 @@ static json_t *fit_json(const struct surface_record *record, enum power_law_meth
     json_set_all(json, "lines_m", line_m, power_law_band_lines(line_m, band));
     json_set(json, "share_of_m2", band->slope_share);
     return json;
-}
-
-static json_t *files_json(const struct scene_files *of)
-{
-    json_t *files = json_array();
-    for (size_t f = 0; f < of->count; f++)
-        json_array_append_new(files, json_shown(of->path[f]));
-    return files;
 }
 
 /** r and what the scans' frequencies were multiplied by. */

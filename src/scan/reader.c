@@ -91,16 +91,19 @@ enum status_code scan_units(struct scan *out, const char *x_named, const char *z
 {
     const struct text_header *beside = file->options->sidecar ? &file->options->sidecar->header : NULL;
     const char *x = said(x_named), *z = said(z_named);
-    if (x && !(find_unit(x).si > 0))
-        return scan_fail(file, 0, "x is in '%.16s' by the file, which is no unit of length", x);
-    if (z && !find_unit(z).name)
-        return scan_fail(file, 0, "z is in '%.16s' by the file, which is no unit of length", z);
-    struct unit first;
-    if (unit_read(&first, out->unknown_unit[0], strlen(out->unknown_unit[0])) &&
-        unit_of(&first, UNIT_FORCE | UNIT_PRESSURE | UNIT_RESISTANCE | UNIT_THERMAL_RESISTANCE))
-        return scan_fail(file, 0,
-                         "x in '%s' is no scan; is it a measurement, `measured: {file: ...}` in scene.yaml takes it",
-                         out->unknown_unit[0]);
+    for (int i = 0; i < 2; i++) {
+        const char *own = i ? z : x, *beside_it = out->unknown_unit[i];
+        struct unit other;
+        const bool known =
+            unit_read(&other, beside_it, strlen(beside_it)) && !unit_of(&other, UNIT_NUMBER | UNIT_DISTANCE);
+        if (known && i == 0 && unit_of(&other, UNIT_FORCE | UNIT_PRESSURE | UNIT_RESISTANCE | UNIT_THERMAL_RESISTANCE))
+            return scan_fail(
+                file, 0, "x in '%s' is no scan; is it a measurement, `measured: {file: ...}` in scene.yaml takes it",
+                beside_it);
+        if (own ? !find_unit(own).name || (i == 0 && !(find_unit(own).si > 0)) : known)
+            return scan_fail(file, 0, "%c is in '%.16s' by the file, which is no unit of length; correct it there",
+                             "xz"[i], own ? own : beside_it);
+    }
     out->units_lacking = !x || !z;
     bool x_beside = !x && beside && (x = text_header_x_unit(beside, out->x_column));
     bool z_beside = !z && beside && (z = text_header_z_unit(beside, out->z_column));

@@ -376,9 +376,9 @@ const struct scene_key scene_keys[] = {
      "specific_heat, sound_speed, hardness, mean_free_path); default: none, and only what needs no material runs",
      scene_surfaces_material, .at = AT(bodies.material), .given = AT(bodies.material_given)},
     {"counterface",
-     "rigid, same, a material, a mapping of its properties, or another rough surface: {surface: FILE, material: NAME}, "
-     "whose amplitudes add as squares and whose profiles are taken in pairs; default: rigid, a flat that conducts like "
-     "the material",
+     "rigid, same, a material, a mapping of its properties, or for all surfaces another rough one: {surface: FILE, "
+     "material: NAME}, whose amplitudes add as squares and whose profiles are taken in pairs; default: rigid, a flat "
+     "that conducts like the material",
      scene_surfaces_counterface, .at = AT(bodies)},
     {"direction", "profiles of a map are its rows or its columns; default: x",
      SCENE_CHOICE(AT(direction), scan_direction_names)},

@@ -222,12 +222,13 @@ const struct scene_mapping scene_surfaces_vickers = {"hardness", vickers_keys, S
 bool scene_surfaces_hardness(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
                              void *field)
 {
-    char text[64];
+    char text[64], number[40], end;
     yaml_node_t node = *value;
     if (value->type == YAML_MAPPING_NODE)
         return scene_source_within(source, key, value, field);
-    if (value->type == YAML_SCALAR_NODE && strncmp((const char *)value->data.scalar.value, "HV ", 3) == 0) {
-        snprintf(text, sizeof text, "%.40s HV", (const char *)value->data.scalar.value + 3);
+    if (value->type == YAML_SCALAR_NODE &&
+        sscanf((const char *)value->data.scalar.value, "HV %39[0-9.] %c", number, &end) == 1) {
+        snprintf(text, sizeof text, "%s HV", number);
         node.data.scalar.value = (yaml_char_t *)text;
         node.data.scalar.length = strlen(text);
     }

@@ -651,7 +651,7 @@ TEST_OF_PLAIN(bodies_are_those_of_the_surfaces)
         snprintf(made.names[i].bodies.material.name, sizeof made.names[i].bodies.material.name, "%s",
                  i == 1 ? "silver" : "gold");
     made_up_surface(&made, 1)->pair.hardness_Pa = NAN;
-    report_says("Bodies: gold against a rigid flat on *beta* and 1 more; silver against a rigid flat on *alpha*. ",
+    report_says("Bodies: gold against a rigid body on *beta* and 1 more; silver against a rigid body on *alpha*. ",
                 "| 100 | 284 |\n", "| 100 | – |\n");
     report_lacks("hardness  MPa");
 }

@@ -26,7 +26,7 @@ TEST_IN_DIRECTORY(each_surface_has_its_own_bodies)
     assert_int_equal(pipeline_run(place, "in", "all", 2), 0);
     expect_in_file(
         place, "all/report.md",
-        "\nBodies: tin against a rigid flat on *a*;\ncopper against copper on *b*;\ngold against tin on *c*.\n",
+        "\nBodies: tin against a rigid body on *a*;\ncopper against copper on *b*;\ngold against tin on *c*.\n",
         "\n| gold |", " | 90.0 |\n", " gold: ", " copper: ");
     struct table all = directory_table(place, "all/data/contact.csv");
     size_t compared = 0;
@@ -154,7 +154,7 @@ TEST_IN_DIRECTORY(without_a_material)
     assert_true(compared >= 15);
     pipeline_report(place, "in", "soft",
                     "material: {E: 100 GPa, nu: 0.3}\nload: {values: [1e-4]}\n"); /* one without yield strength */
-    expect_in_file(place, "soft/report.md", " against a rigid flat.\n", " | 110 | – |\n");
+    expect_in_file(place, "soft/report.md", " against a rigid body.\n", " | 110 | – |\n");
     expect_not_in_file(place, "soft/report.md", "hardness  MPa", ", hardness");
     expect_in_file(place, "none/report.md", "P/(Aₙ\u00a0E′)");
     expect_not_in_file(place, "none/report.md", "MPa", "nan", "COMSOL");

@@ -65,3 +65,15 @@ TEST_IN_DIRECTORY(two_rough_bodies_add_their_squares)
     expect_parts(status.message, "the counterface cannot be read: other.csv");
     assert_false(directory_has(place, "none"));
 }
+
+/** A body that is rigid is no flat where the counterface is rough; all scans of that are named. */
+TEST_IN_DIRECTORY(a_rough_counterface_may_be_rigid)
+{
+    for (int i = 0; i < 3; i++)
+        pipeline_rough(place, filled("in/%d.csv", i), 200, i + 1, 1);
+    pipeline_report(place, "in", "out",
+                    "material: tin\nmodels: [gw]\ncounterface: {surface: [1.csv, 2.csv]}\n"
+                    "surfaces: [{name: a, file: 0.csv, counterface: rigid}]\n");
+    expect_in_file(place, "out/report.md", "pressed against a rough counterface", "tin against a rigid body.");
+    expect_in_file(place, "out/results.json", "\"1.csv\",", "\"2.csv\"");
+}

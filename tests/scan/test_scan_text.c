@@ -326,15 +326,15 @@ TEST_CASE(test_missing_units)
         {"Force (N),Resistance (mOhm)",
          "file: x in 'N' is no scan; is it a measurement, `measured: {file: ...}` in scene.yaml takes it"},
         {"R (mOhm),F (N)", "file: x in 'mOhm' is no scan"},
+        {"x [mm],z (V)", "file: z is in 'V' by the file, which is no unit of length; correct it there"},
         {"x [km],z [um]", "file: unknown unit 'km', no unit for x; add"},
-        {"x [mm],z (V)", "file: unknown unit 'V', no unit for z; add"},
         {"x,z [km]", "file: unknown unit 'km', no unit for x nor for z; add"},
         {"x [km],z [px]", "file: unknown unit 'km', no unit for x nor for z; add"},
         {"x (position),z [um]", "file: no unit for x; add"},
     };
     for (size_t i = 0; i < sizeof titles / sizeof *titles; i++)
         refuse_with(filled("%s\n%s", titles[i].title, text), &no_units, titles[i].refused);
-    for (size_t i = 0; i < 2; i++) /* a force is no position, whatever the scene says */
+    for (size_t i = 0; i < 3; i++) /* a force is no position and a voltage no height, whatever the scene says */
         refuse_with(filled("%s\n%s", titles[i].title, text), &both_units, titles[i].refused);
     struct scan scan = read_with("x [km],z [um]\n0,1\n1,2\n2,3\n", &x_only); /* the scene's counts */
     assert_string_equal(scan.x_unit, "mm");

@@ -370,8 +370,8 @@ TEST_CASE(test_the_operating_loads_unit_is_that_of_the_loads)
 /** A Vickers number is in kgf/mm²; a correlation holds for surfaces without a hardness of their own. */
 TEST_CASE(test_hardness)
 {
-    static const char *const same[] = {"HV 120", "120 HV", "1.176798 GPa"};
-    for (size_t i = 0; i < 3; i++) {
+    static const char *const same[] = {"HV 120", "HV120", "120 HV", "1.176798 GPa"};
+    for (size_t i = 0; i < 4; i++) {
         struct scene *scene = scene_of(filled("material: tin\nhardness: %s\n", same[i]));
         assert_near(scene_pair(&scene->bodies).hardness_Pa, 120 * 9.80665e6, 1e-14);
     }

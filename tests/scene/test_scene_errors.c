@@ -114,7 +114,7 @@ static const struct wrong rows[] = {
     {"hardness: {c1: 3 GPa}\n", 1, "'hardness' needs 'c2'; add it, or leave 'hardness' out"},
     {"hardness: {c1: 3 GPa, c2: 0.2}\n", 1, "'c2' is 0.2; allowed is -0.99 to 0"},
     {"hardness: HV hard\n", 1,
-     "'hardness' is 'hard HV'; give a number in Pa or one with its unit: Pa, kPa, MPa, GPa, N/mm2, bar, psi, atm"},
+     "'hardness' is 'HV hard'; give a number in Pa or one with its unit: Pa, kPa, MPa, GPa, N/mm2, bar, psi, atm"},
     {"material: tin\nshape: {crown: 2 m}\n", 2, "'shape' is of which area? add 'nominal_area', or 'size' to it"},
     {"material: tin\nnominal_area: 1 mm2\nshape: {crown: 2 m, size: [2 mm, 1 mm]}\n", 3,
      "'size' is 2e-06 m2 and 'nominal_area' 1e-06 m2; correct either"},
