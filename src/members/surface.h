@@ -57,7 +57,7 @@ struct surface_summary {
     double tile_cost;               /* tiles_cost() of its map; 0: no map, or no model uses it */
     uint64_t tile_transforms;       /* actual cost of its map */
     bool has_tiles;                 /* its map is, or will be, solved */
-    size_t points;                  /* of the first scan */
+    size_t points;                  /* of the longest scan */
     double spacing_m, length_m;
     struct roughness roughness;
     struct asperities asperities;

@@ -89,12 +89,14 @@ static enum status_code take_spectrum(struct spectrum *spectrum, struct roughnes
 }
 
 /** Averages a profile's spectrum and moments into the surface's, as powers; for the thesis's line as logarithms too,
- * which do not depend on the number of scans. Points and spacing are those of the first. */
+ * which do not depend on the number of scans. Of points the most count, of spacings the coarsest. */
 static enum status_code average(struct surface_record *record, const struct profile *profile,
                                 const struct spectrum *spectrum, const struct roughness *roughness,
                                 struct status *status)
 {
     struct surface_summary *summary = &record->summary;
+    summary->points = profile->points > summary->points ? profile->points : summary->points;
+    summary->spacing_m = fmax(profile->spacing_m, summary->spacing_m);
     summary->periodic += profile->periodic;
     if (summary->scans++ > 0) {
         roughness_average(&summary->roughness, roughness, summary->scans - 1);
@@ -103,8 +105,6 @@ static enum status_code average(struct surface_record *record, const struct prof
         return grid_average_logs(&record->typical, spectrum, summary->scans - 1, status);
     }
     summary->roughness = *roughness;
-    summary->points = profile->points;
-    summary->spacing_m = profile->spacing_m;
     if (spectrum_copy(&record->spectrum, spectrum, status) != STATUS_OK ||
         spectrum_copy(&record->typical, spectrum, status) != STATUS_OK)
         return status->code;

@@ -319,7 +319,7 @@ static enum status_code take_filters(struct profile *profile, const struct profi
                      lambda_s_m * 1e6);
     if (lambda_s_m > 0 && pass(profile, lambda_s_m, false, status) != STATUS_OK)
         return status->code;
-    if (lambda_c_m > length_m)
+    if (lambda_c_m > length_m * (1 + 1e-9)) /* which is rounded */
         return status_fail(status, STATUS_SCAN,
                            "lambda_c is %.6g m, longer than the scan of %.6g m; give a shorter one", lambda_c_m,
                            length_m);

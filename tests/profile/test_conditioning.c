@@ -64,6 +64,8 @@ TEST_CASE(test_filters)
     assert_note(&profile, "high-pass lambda_c = 100 um");
     profile_free(&profile);
     expect_note(condition(1e-6, (struct profile_options){.lambda_s_m = 1e-6}), "below twice the spacing", true);
+    const double whole_m = POINTS * 1e-6; /* and the scan is as long, but for rounding */
+    expect_note(condition((1 - 4e-16) * 1e-6, (struct profile_options){.lambda_c_m = whole_m}), "high-pass", true);
     struct scan scan = scan_on(NULL, z, POINTS, 1e-6);
     assert_profile_refused(&scan, &(struct profile_options){.lambda_c_m = 0.01},
                            "lambda_c is 0.01 m, longer than the scan");

@@ -240,14 +240,18 @@ TEST_IN_DIRECTORY(unlike_lengths)
     rough(place, "in/short.csv", POINTS, 1, 2);
     report(place, "out", listed,
            "{name: cut, file: [long.csv, short.csv]}, {name: halves, file: [left.csv, right.csv]}, "
-           "{name: short, file: short.csv}");
+           "{name: short, file: short.csv}, {name: l, file: [long.csv, left.csv]}, {name: r, file: [long.csv, "
+           "right.csv]}");
     struct table contact = directory_table(place, "out/data/contact.csv"),
+                 surfaces = directory_table(place, "out/data/surfaces.csv"),
                  spread = directory_table(place, "out/data/spread.csv");
     double ln[3];
     static const char *const names[] = {"cut", "halves", "short"};
     for (int s = 0; s < 3; s++)
         ln[s] = log(table_number(&contact, pipeline_row(&contact, names[s], "multiscale-elastic", 1e-5), "ecr_ohm_m2"));
     assert_within(ln[0], (2 * ln[1] + ln[2]) / 3, 1e-6); /* the long one weighs two; heights are written to 1e-15 m */
+    for (size_t i = 0; i < surfaces.rows; i++)           /* of the longest, whichever was read first */
+        assert_near(table_number(&surfaces, i, "points"), i == 1 || i == 2 ? POINTS : 2 * POINTS, 0);
     assert_near(table_number(&spread, 0, "effective"), 3, 1e-12);
     assert_near(table_number(&spread, 0, "scans"), 2, 1e-12);
     expect_in_file(place, "out/report.md", "| 2 (cut to 3 pieces) |");
