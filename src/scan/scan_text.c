@@ -556,6 +556,12 @@ static enum status_code take_heights(struct scan *out, struct table *table, size
     return take_columns(out, table, counted ? 1 : 0, x_m, z_m);
 }
 
+/* What else to do about numbers that make no sense. */
+static const char *or_semicolons(const struct table *table)
+{
+    return table->delimiter == ',' ? ", or separate the columns by semicolons if the commas are decimal signs" : "";
+}
+
 /* The scan in columns `x` and `z`. */
 static enum status_code take_points(struct scan *out, struct table *table, size_t x, size_t z)
 {
@@ -572,10 +578,10 @@ static enum status_code take_points(struct scan *out, struct table *table, size_
     if (bad < rows && isnan(at(table, bad, x)))
         return scan_fail(table->file, line_of_row(table, bad), "no x here; fill it in or remove this line");
     if (bad < rows)
-        return scan_fail(
-            table->file, line_of_row(table, bad), "x %s; x has to go one way: sort or remove points%s",
-            bad > 0 && at(table, bad, x) == at(table, bad - 1, x) ? "is that of the point before" : "turns back",
-            table->delimiter == ',' ? ", or separate the columns by semicolons if the commas are decimal signs" : "");
+        return scan_fail(table->file, line_of_row(table, bad), "x %s; x has to go one way: sort or remove points%s",
+                         bad > 0 && at(table, bad, x) == at(table, bad - 1, x) ? "is that of the point before"
+                                                                               : "turns back",
+                         or_semicolons(table));
     if (take_columns(out, table, 0, x_m, z_m) != STATUS_OK)
         return table->file->status->code;
     const char *unit = header->spacing.unit ? header->spacing.unit : out->x_unit;
@@ -722,9 +728,6 @@ static enum status_code take_list(struct scan *out, const struct table *table)
     double x_m, z_m;
     struct direction fast, slow;
     find_directions(table, &fast, &slow);
-    if (table->rows % fast.n != 0)
-        return scan_fail(table->file, table->last_line, "the last row of points is not complete: %zu of %zu",
-                         table->rows % fast.n, fast.n);
     out->x_column = 1;
     out->z_column = LIST_COLUMNS;
     if (take_units(out, table, NULL, &x_m, &z_m) != STATUS_OK)
@@ -740,6 +743,9 @@ static enum status_code take_list(struct scan *out, const struct table *table)
         if (!on_grid(table, row, &fast, f) || !on_grid(table, row, &slow, s))
             return scan_fail(table->file, line_of_row(table, row),
                              "this point is not on the grid of the points before; only maps on a grid can be read");
+        if (s == slow.n)
+            return scan_fail(table->file, table->last_line, "the last row of points is not complete: %zu of %zu",
+                             table->rows % fast.n, fast.n);
         size_t ix = place(x, along_x ? f : s), iy = place(y, along_x ? s : f);
         out->z_m[iy * x->n + ix] = at(table, row, 2) * z_m;
     }
@@ -780,8 +786,8 @@ static enum status_code take_matrix(struct scan *out, struct table *table)
     if (!(width.value > 0 && height.value > 0))
         return scan_fail(table->file, table->first_line,
                          "a matrix of %zu x %zu heights without its pixel size; add a line `pixel size = 0.5 um` above "
-                         "the numbers, or keep two columns, x and z",
-                         table->columns, table->rows);
+                         "the numbers, or keep two columns, x and z%s",
+                         table->columns, table->rows, or_semicolons(table));
     if (take_units(out, table, width.unit, &x_m, &z_m) != STATUS_OK ||
         scan_reserve(out, table->columns, table->rows, table->columns * table->rows, table->file) != STATUS_OK)
         return table->file->status->code;

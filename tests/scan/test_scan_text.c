@@ -300,6 +300,7 @@ TEST_CASE(test_refusals)
     assert_refused("0;1\n1;2\n;x\n", "file:3: 'x'");
     assert_refused("# a\n0 1\n# b\n\n1 2\n1 3\n2 4\n", "file:6: x is that of the point before");
     assert_refused("0,1\n2,2\n1,3\n", "file:3: x turns back");
+    assert_refused("0,1,2,5\n0,2,2,1\n0,3,1,9\n", "keep two columns, x and z, or separate the columns by semicolons");
     assert_refused("0,4771\n0,4783\n0,4790\n", "separate the columns by semicolons if the commas are decimal signs");
     assert_refused("0;1.5\n1;2,5\n2;3.5\n", "file:2: both '.' and ','");
     assert_refused("spacing 1 um\n1\n2\n\n3\n", "file:4: a blank line among the heights");
