@@ -313,16 +313,16 @@ static enum status_code take_filters(struct profile *profile, const struct profi
     double lambda_s_m = options->lambda_s_m, lambda_c_m = options->lambda_c_m;
     if (!(lambda_s_m > 0 || lambda_c_m > 0))
         return STATUS_OK;
-    double rounding_m = rounding(profile, peak_to_valley(profile));
+    const double rounding_m = rounding(profile, peak_to_valley(profile)), longest_m = fmax(lambda_s_m, lambda_c_m);
+    if (longest_m > length_m * (1 + 1e-9)) /* which is rounded */
+        return status_fail(status, STATUS_SCAN,
+                           "lambda_%c is %.6g m, longer than the scan of %.6g m; give a shorter one",
+                           longest_m == lambda_c_m ? 'c' : 's', longest_m, length_m);
     if (lambda_s_m > 0 && lambda_s_m < 2 * profile->spacing_m)
         profile_note(profile, "lambda_s %.4g um is below twice the spacing: the filter takes little away",
                      lambda_s_m * 1e6);
     if (lambda_s_m > 0 && pass(profile, lambda_s_m, false, status) != STATUS_OK)
         return status->code;
-    if (lambda_c_m > length_m * (1 + 1e-9)) /* which is rounded */
-        return status_fail(status, STATUS_SCAN,
-                           "lambda_c is %.6g m, longer than the scan of %.6g m; give a shorter one", lambda_c_m,
-                           length_m);
     if (lambda_c_m > 0 && pass(profile, lambda_c_m, true, status) != STATUS_OK)
         return status->code;
     free(profile->measured_x_m); /* these points are not filtered */

@@ -367,6 +367,10 @@ static enum status_code read_table(struct table *table)
                          "column %zu holds text; choose the columns of x and z, as with `--column %zu,%zu` or `column: "
                          "[%zu, %zu]` in a scene",
                          found[0], found[1], found[2], found[1], found[2]);
+    const struct scan_options *wanted = wanted_of(table->file);
+    if (wanted)
+        return scan_fail(table->file, 0, "no line of numbers in the columns %zu and %zu; choose others",
+                         wanted->x_column, wanted->z_column);
     return scan_fail(table->file, 0, "no line of numbers in it: not a scan");
 }
 

@@ -82,10 +82,10 @@ static bool add_files(struct scene_source *source, struct scene_files *files, co
             return false;
         if (failed)
             return scene_source_fail(source, line,
-                                     "cannot find surface file '%s': %s; paths start at the scene's directory",
+                                     "cannot find '%s': %s; paths start at the scene's directory",
                                      shown.text, strerror(reason));
         return S_ISREG(info.st_mode) ||
-               scene_source_fail(source, line, "surface file '%s' is no regular file; name a scan", shown.text);
+               scene_source_fail(source, line, "'%s' is no regular file; name one", shown.text);
     }
     struct status problem = {0};
     if (scene_files_match(files, source->scene, file, S_IFREG, &problem) == STATUS_MEMORY)

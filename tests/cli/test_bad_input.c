@@ -40,7 +40,7 @@ static const struct bad_input bad_inputs[] = {
     {"materail: tin\n", ROUGH, 3, 1, "roughcontact: d/scene.yaml:1: unknown key 'materail'; did you mean 'material'?"},
     {"title: x\nmaterial: tim\n", ROUGH, 3, 1, "d/scene.yaml:2: unknown material 'tim'; did you mean 'tin'?"},
     {"title: [x\nload: {\n", ROUGH, 3, 1, "d/scene.yaml:2: not valid YAML: "},
-    {"surfaces:\n  - {name: \"a\", file: b.csv}\n", ROUGH, 3, 1, "d/scene.yaml:2: cannot find surface file 'b.csv'"},
+    {"surfaces:\n  - {name: \"a\", file: b.csv}\n", ROUGH, 3, 1, "d/scene.yaml:2: cannot find 'b.csv'"},
     {"baseline: b\n", ROUGH, 3, 1, "d/scene.yaml:1: 'baseline' is 'b', no surface's name; the first is 'a'"},
     {"material: tin\ncounterface: {surface: \"*.csv\"}\n", ROUGH, 3, 1,
      "d/scene.yaml:2: no scan is left for the surfaces beside the files of 'counterface'"},

@@ -295,7 +295,7 @@ TEST_IN_WORKSPACE(test_no_files)
     }
     expect_failed(RUN(place, "inspect", "d/self.csv"), 4, 1, "Too many levels of symbolic links");
     workspace_write(place, "d/scene.yaml", "material: tin\nsurfaces:\n  - {name: p, file: pipe.csv}\n");
-    expect_failed(RUN(place, "plan", "d"), 3, 1, "surface file 'pipe.csv' is no regular file");
+    expect_failed(RUN(place, "plan", "d"), 3, 1, "'pipe.csv' is no regular file");
     alarm(0);
 }
 

@@ -70,7 +70,9 @@ TEST_CASE(test_filters)
     assert_profile_refused(&scan, &(struct profile_options){.lambda_c_m = 0.01},
                            "lambda_c is 0.01 m, longer than the scan");
     scan = scan_on(NULL, z, POINTS, 1e-12);
-    assert_profile_refused(&scan, &(struct profile_options){.lambda_s_m = 1e3}, "no roughness is left between");
+    assert_profile_refused(&scan, &(struct profile_options){.lambda_s_m = 1e3},
+                           "lambda_s is 1000 m, longer than the scan");
+    assert_profile_refused(&scan, &(struct profile_options){.lambda_c_m = 1e-15}, "no roughness is left between");
     for (size_t i = 0; i < POINTS; i++) /* such as a row of a map whose other rows are rough */
         z[i] *= 1e-300;
     assert_profile_refused(&scan, &(struct profile_options){.lambda_s_m = 0}, "differ by no more than");

@@ -93,7 +93,7 @@ TEST_CASE(test_listings)
 TEST_IN_DIRECTORY(test_patterns_of_nothing)
 {
     static const char *const bad[][2] = {
-        {"surfaces:\n  - {file: a}\n  - {file: \"x*.csv\"}\n", "scene.yaml:2: cannot find surface file 'a'"},
+        {"surfaces:\n  - {file: a}\n  - {file: \"x*.csv\"}\n", "scene.yaml:2: cannot find 'a'"},
         {"surfaces:\n  - {file: \"run-*.csv\"}\n  - {name: b,\n     file: \"x*.csv\"}\n",
          "scene.yaml:4: 'x*.csv' matches no file; paths start at the scene's directory"},
         {"surfaces:\n  - {file: \"nowhere/*\"}\n", "scene.yaml:2: cannot list '"},
