@@ -344,6 +344,9 @@ static enum status_code conclude(struct surface_record *record, struct power_law
     summary->strip_cost = summary->has_strips ? cost_of_strips(record) : 0;
     if (counterface)
         tiles_pair(&record->tiles, &counterface->tiles);
+    if (summary->has_map && !record->tiles.height_m && summary->scene != &scene->counterface_surface &&
+        (scene->models & model_flagged(offsetof(struct model_row, uses_map))))
+        note_add(&summary->notes, NULL, "note.no_square");
     bool capped = summary->pair.hardness_Pa > 0;
     double most = scene->models_named ? INFINITY : tiles_budget / (double)scene->surface_count;
     summary->has_tiles = tiles_fit(&record->tiles, capped, most);

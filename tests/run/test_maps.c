@@ -64,10 +64,12 @@ TEST_IN_DIRECTORY(what_leads)
     run_scene(place, "strip", MATERIAL "models: [strip]\nsurfaces: [" MAP("a") ", " MAP("b") "]\n");
     expect_in_file(place, "strip/results.json", "\"leading\": \"strip-plastic\"");
     assert_int_equal(rows_of(place, "strip/data/contact.csv", "direct"), 0);
+    expect_not_in_file(place, "maps/report.md", "no direct solution");
+    expect_not_in_file(place, "strip/report.md", "no direct solution"); /* nobody asks for it */
     run_scene(place, "mixed",
               MATERIAL "limits: {ecr: {most: 1 ohm m2}}\nsurfaces: [" MAP("a") ", {name: c, file: line.csv}]\n");
     expect_in_file(place, "mixed/results.json", "\"leading\": \"strip-plastic\"");
-    expect_in_file(place, "mixed/report.md", "scans and rows of maps");
+    expect_in_file(place, "mixed/report.md", "scans and profiles of maps");
     assert_true(rows_of(place, "mixed/data/contact.csv", "direct-plastic") > 5);
     /* the limit of the map, too, is that of the strip: its value is in the strip's curve */
     char *json = directory_read(place, "mixed/results.json");
@@ -238,7 +240,7 @@ TEST_IN_DIRECTORY(parameters_of_the_surface)
     run_scene(place, "two",
               "models: [multiscale]\nsurfaces: [{name: both, file: [w.csv, n.csv], z_unit: um}, {name: v, "
               "file: w.csv, z_unit: um, material: copper}, " MAP("line") "]\n");
-    expect_in_file(place, "two/report.md", "rows | ", "*both*, first map, over its plane");
+    expect_in_file(place, "two/report.md", "profiles | ", "*both*, first map, over its plane");
     expect_not_in_file(place, "two/report.md", "No lay is known");
     run_scene(place, "lines", "models: [multiscale]\nsurfaces: [" MAP("line") "]\n");
     expect_not_in_file(place, "lines/report.md", "Sq (µm)", "over its plane", "after `lambda_c`");

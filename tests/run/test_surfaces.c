@@ -36,7 +36,8 @@ TEST_IN_DIRECTORY(a_map_is_its_rows)
     directory_expect_same(place, "rows/data/contact.csv", "columns/data/contact.csv");
     directory_expect_same(place, "rows/data/spectrum.csv", "columns/data/spectrum.csv");
     assert_false(directory_has(place, "rows/data/spread.csv") || directory_has(place, "rows/data/bands.csv"));
-    expect_in_file(place, "rows/report.md", "its 12 rows were averaged as profiles for spectrum and fit", "| 12 rows");
+    expect_in_file(place, "rows/report.md", "its 12 rows were averaged as profiles for spectrum and fit", "| 12 profiles",
+                   "m: no direct solution of the map: it takes one map alone of square points, 32 a side at least");
 }
 
 /** Pressed against its own copy: amplitudes times sqrt 2, and half the modulus; the counterface is no surface itself.
