@@ -856,11 +856,15 @@ static bool hardness(struct claims *c)
                                        [SURFACE_HARDNESS_PLATING] = "hardness-plating"};
     const struct surface_summary *s = summary_of(c, c->i);
     const double thickness_m = c->results->scene->joint.plating_thickness_m;
+    struct named on = {0};
+    for (size_t k = 0; k < c->results->usable_count; k++)
+        if (summary_of(c, usable(c, k))->hardness == s->hardness &&
+            summary_of(c, usable(c, k))->pair.hardness_Pa == s->pair.hardness_Pa)
+            add_name(&on, usable(c, k));
     c->key = keys[s->hardness];
-    put_surface(c, c->i);
     put(c, "hardness", s->pair.hardness_Pa);
     put(c, "thickness", thickness_m);
-    return thickness_m > 0 && runs(c, EFFECT_PLASTICITY);
+    return put_names(c, &on) && thickness_m > 0 && runs(c, EFFECT_PLASTICITY);
 }
 
 /** Files with the same heights as an earlier one, which are no further evidence. */
