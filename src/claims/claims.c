@@ -870,17 +870,22 @@ static bool hardness(struct claims *c)
 /** Files with the same heights as an earlier one, which are no further evidence. */
 static bool duplicates(struct claims *c)
 {
-    size_t copies = 0, first = 0;
-    for (size_t i = c->results->surface_count; i-- > 0;) {
-        copies += summary_of(c, i)->copies;
-        first = summary_of(c, i)->copies > 0 ? i : first;
-    }
+    size_t copies = 0;
+    for (size_t i = 0; i < c->results->surface_count; i++)
+        for (size_t n = 0; n < summary_of(c, i)->notes.count; n++) {
+            const struct note *note = &summary_of(c, i)->notes.notes[n];
+            if (!note->subject || strncmp(note->what, "note.copy\n", strlen("note.copy\n")) != 0)
+                continue;
+            if (copies == 0) {
+                c->surface = json_shown(name_of(c, i));
+                put_text(c, "file", note->subject);
+                put_text(c, "of", strchr(note->what, '\t') + 1);
+            }
+            copies += 1 + note->more;
+        }
     if (copies == 0)
         return false;
     c->key = copies > 1 ? "duplicates-more" : "duplicates";
-    c->surface = json_shown(name_of(c, first));
-    put_text(c, "file", summary_of(c, first)->copy_file);
-    put_text(c, "of", summary_of(c, first)->copy_of);
     put_count(c, "more", copies - 1);
     return true;
 }

@@ -4,6 +4,7 @@
 #include "profile/profile.h"
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 static const double same_spacing = 1e-4; /* relative: formats write few digits */
 static const double same_rq = 0.02;
@@ -12,13 +13,15 @@ static const double rounded_most = 0.1; /* of Rq: more coarsely rounded heights 
 
 void copies_free(struct copies *copies)
 {
+    for (size_t i = 0; i < copies->count; i++)
+        free(copies->prints[i].file);
     free(copies->prints);
     *copies = (struct copies){0};
 }
 
-static struct copies_print print_of(const struct scan *scan, const char *file)
+static struct copies_print print_of(const struct scan *scan)
 {
-    struct copies_print out = {.file = file, .points = scan->nx * scan->ny, .spacing_m = scan->dx_m};
+    struct copies_print out = {.points = scan->nx * scan->ny, .spacing_m = scan->dx_m};
     double sum_m = 0, square_m2 = 0, count = 0;
     for (size_t i = 0; i < out.points; i++)
         if (!isnan(scan->z_m[i])) {
@@ -52,7 +55,7 @@ static bool are_same(const struct copies_print *a, const struct copies_print *b)
 enum status_code copies_find(const char **of, struct copies *copies, const struct scan *scan, const char *file,
                              struct status *status)
 {
-    const struct copies_print own = print_of(scan, file);
+    struct copies_print own = print_of(scan);
     *of = NULL;
     for (size_t i = 0; i < copies->count && !*of; i++)
         if (are_same(&copies->prints[i], &own))
@@ -66,6 +69,8 @@ enum status_code copies_find(const char **of, struct copies *copies, const struc
             return status_memory(status);
         copies->prints = more;
     }
+    if (!(own.file = strdup(file)))
+        return status_memory(status);
     copies->prints[copies->count++] = own;
     return STATUS_OK;
 }

@@ -9,7 +9,7 @@ enum { COPIES_HEIGHTS = 64 };
 
 /** What is kept of a scan, to recognise a copy of it. */
 struct copies_print {
-    const char *file;                /* the scene's */
+    char *file;
     size_t points;                   /* of all rows */
     double spacing_m, rq_m, digit_m; /* step to which the heights are rounded; 0: none seen */
     double height_m[COPIES_HEIGHTS]; /* evenly spaced along the scan, less their mean */

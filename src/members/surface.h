@@ -41,8 +41,6 @@ struct surface_summary {
     struct note_list notes;          /* warnings; owned */
     size_t all_scans, refused_scans; /* with each of an archive: that are there; not used, of several (the notes begin
                                         with them) */
-    size_t copies;                   /* scans left out because they repeat another */
-    const char *copy_file, *copy_of; /* the first of them, and the file that it repeats; the scene's strings */
     char hash[65];                   /* SHA-256 of the first file (of all of them one after another), hexadecimal */
     char format[32];
     char units[40];                 /* "x mm, z um" as read */

@@ -44,18 +44,17 @@ static enum status_code add_scan(const struct surface_scans *task, const struct 
     if (rc == STATUS_OK && scan.kind == SCAN_AREAL && task->scene->direction == SCAN_DIRECTION_Y)
         rc = scan_transpose(&scan, status);
     const char *of = NULL;
+    char name[512];
+    snprintf(name, sizeof name, *scan.part ? "%.400s(%s)" : "%.400s%s", bytes->path, scan.part);
     if (rc == STATUS_OK)
-        rc = copies_find(&of, task->copies, &scan, bytes->path, status);
+        rc = copies_find(&of, task->copies, &scan, name, status);
     summary->times.read += clock_seconds() - started;
-    if (of) {
-        note_add(&summary->notes, bytes->path, "note.copy\nof\t%s", of);
-        if (summary->copies++ == 0) {
-            summary->copy_file = bytes->path;
-            summary->copy_of = of;
-        }
-    } else if (rc == STATUS_OK) {
-        rc = surface_rows_add(task, &scan, bytes->path, status);
-        task->copies->count -= rc != STATUS_OK; /* a copy of a refused scan is not called a copy */
+    if (of)
+        note_add(&summary->notes, name, "note.copy\nof\t%s", of);
+    else if (rc == STATUS_OK) {
+        rc = surface_rows_add(task, &scan, name, status);
+        if (rc != STATUS_OK) /* a copy of a refused scan is not called a copy */
+            free(task->copies->prints[--task->copies->count].file);
     }
     if (rc == STATUS_OK && !of) {
         char units[sizeof summary->units];

@@ -208,9 +208,6 @@ static void tell(struct surface_summary *summary, const struct surface_summary *
     summary->notes = of->notes;
     summary->all_scans = of->all_scans;
     summary->refused_scans = of->refused_scans;
-    summary->copies = of->copies;
-    summary->copy_file = of->copy_file;
-    summary->copy_of = of->copy_of;
     memcpy(summary->format, of->format, sizeof summary->format);
     memcpy(summary->units, of->units, sizeof summary->units);
 }

@@ -35,10 +35,10 @@ MUST_CHECK enum status_code surface_files_read(const struct surface_scans *task,
 MUST_CHECK enum status_code surface_files_read_one(const struct surface_scans *task, const char *file,
                                                    struct hash *hash, struct status *status);
 
-/** Adds a scan of the scene's `file`: a profile, whose heights are taken over, or every row of a map. Unusable rows
- * (all missing, flat) are left out and counted. Errors: STATUS_SCAN if none is left (one line with the file's name;
- * nothing was added), STATUS_MEMORY. */
-MUST_CHECK enum status_code surface_rows_add(const struct surface_scans *task, struct scan *scan, const char *file,
+/** Adds a scan called `name`, its file and place in an archive: a profile, whose heights are taken over, or
+ * every row of a map. Unusable rows (all missing, flat) are left out and counted. Errors: STATUS_SCAN if none is left
+ * (one line with the file's name; nothing was added), STATUS_MEMORY. */
+MUST_CHECK enum status_code surface_rows_add(const struct surface_scans *task, struct scan *scan, const char *name,
                                              struct status *status);
 
 /** Two rough bodies: squares of amplitudes and moments add (docs/equations.md, From scan to spectrum), also scan by

@@ -256,10 +256,9 @@ static void add_between(struct surface_summary *summary, size_t scans_before, do
     summary->between_m2 += (excess_m2 - summary->between_m2) * (all - before) / all;
 }
 
-enum status_code surface_rows_add(const struct surface_scans *task, struct scan *scan, const char *scene_file,
+enum status_code surface_rows_add(const struct surface_scans *task, struct scan *scan, const char *name,
                                   struct status *status)
 {
-    char file[512];
     struct surface_summary *summary = &task->record->summary;
     struct ensemble *set = &task->record->ensemble;
     const struct scene *scene = task->scene;
@@ -283,7 +282,6 @@ enum status_code surface_rows_add(const struct surface_scans *task, struct scan 
         return status->code;
     double cutoff_m = fmax(summary->cutoff_m, map.cutoff * map.dx_m);
     had.lambda_s_m = fmax(scene->lambda_s_m, cutoff_m);
-    snprintf(file, sizeof file, *scan->part ? "%.400s(%s)" : "%.400s%s", scene_file, scan->part);
     for (size_t row = 0; row < scan->ny; row++) {
         struct profile profile;
         struct status problem = {0};
@@ -294,7 +292,7 @@ enum status_code surface_rows_add(const struct surface_scans *task, struct scan 
         if (rc == STATUS_OK)
             rc = add_profile(task, &had, scan, row, seed, &profile, &problem);
         if (rc == STATUS_OK && row == unusable) /* notes on the first usable row hold for all */
-            note_scan(summary, scan, &profile, file);
+            note_scan(summary, scan, &profile, name);
         profile_free(&profile);
         if (rc == STATUS_MEMORY)
             return status_memory(status);
@@ -303,7 +301,7 @@ enum status_code surface_rows_add(const struct surface_scans *task, struct scan 
     }
     if (unusable == scan->ny) {
         set->scan_count--;
-        return status_fail(status, first.code, "%s: %s", file, first.message);
+        return status_fail(status, first.code, "%s: %s", name, first.message);
     }
     summary->cutoff_m = cutoff_m;
     if (areal) {
@@ -316,12 +314,12 @@ enum status_code surface_rows_add(const struct surface_scans *task, struct scan 
     if (areal && first_file && keep_map(task, scan, &map, status) != STATUS_OK)
         return status->code;
     if (areal)
-        note_map(task, file, scan, &map, of, unusable, set->count - run_before);
+        note_map(task, name, scan, &map, of, unusable, set->count - run_before);
     tiles_free(&task->record->tiles); /* a surface of several scans is not a single map */
     if (areal && first_file && (scene->models & model_flagged(offsetof(struct model_row, uses_map))))
         tiles_take(&task->record->tiles, scan, &map);
     if (unusable > 0)
-        note_add(&summary->notes, file, "note.left_out\ncount %zu\n%s\n%s\nwhy\t%s", unusable,
+        note_add(&summary->notes, name, "note.left_out\ncount %zu\n%s\n%s\nwhy\t%s", unusable,
                  unusable == 1 ? "one" : "", scene->direction == SCAN_DIRECTION_X ? "" : "columns", first.message);
     power_law_scans_end_file(task->scans, scan->ny - unusable, areal);
     return STATUS_OK;
