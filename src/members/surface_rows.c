@@ -9,13 +9,16 @@
 #include <stdlib.h>
 #include <string.h>
 
-static void note_scan(struct surface_summary *summary, const struct scan *scan, const struct profile *profile,
-                      const char *file)
+static void note_scan(struct surface_summary *summary, const struct scan *scan, size_t row,
+                      const struct profile *profile, const char *file)
 {
+    const bool map = scan->kind == SCAN_AREAL;
+    char one[512];
+    snprintf(one, sizeof one, map ? "%.480s, profile %zu" : "%.480s%.0zu", file, map ? row + 1 : 0);
     for (size_t w = 0; w < scan->warning_count; w++)
         note_add(&summary->notes, file, "note.text\ntext\t%s", scan->warnings[w]);
     for (size_t n = 0; n < profile->note_count; n++)
-        note_add(&summary->notes, file, "note.text\ntext\t%s", profile->notes[n]);
+        note_add(&summary->notes, one, "note.text\ntext\t%s", profile->notes[n]);
 }
 
 /** Thins the profile for its chart: the lowest and the highest point of every few, in order. */
@@ -291,8 +294,8 @@ enum status_code surface_rows_add(const struct surface_scans *task, struct scan 
         summary->times.prepare += clock_seconds() - started;
         if (rc == STATUS_OK)
             rc = add_profile(task, &had, scan, row, seed, &profile, &problem);
-        if (rc == STATUS_OK && row == unusable) /* notes on the first usable row hold for all */
-            note_scan(summary, scan, &profile, name);
+        if (rc == STATUS_OK && row == unusable) /* of a map those of the first usable row */
+            note_scan(summary, scan, row, &profile, name);
         profile_free(&profile);
         if (rc == STATUS_MEMORY)
             return status_memory(status);

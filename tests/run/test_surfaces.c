@@ -36,8 +36,13 @@ TEST_IN_DIRECTORY(a_map_is_its_rows)
     directory_expect_same(place, "rows/data/contact.csv", "columns/data/contact.csv");
     directory_expect_same(place, "rows/data/spectrum.csv", "columns/data/spectrum.csv");
     assert_false(directory_has(place, "rows/data/spread.csv") || directory_has(place, "rows/data/bands.csv"));
-    expect_in_file(place, "rows/report.md", "its 12 rows were averaged as profiles for spectrum and fit", "| 12 profiles",
+    expect_in_file(place, "rows/report.md", "its 12 rows were averaged as profiles for spectrum and fit",
+                   "| 12 profiles",
                    "m: no direct solution of the map: it takes one map alone of square points, 32 a side at least");
+    pipeline_report(place, "in", "arcs",
+                    "models: [gw]\nlevel: circle\nsurfaces: [{name: m, file: map.grd, x_unit: m, "
+                    "z_unit: m}]\n"); /* each row has its own */
+    expect_in_file(place, "arcs/report.md", "m: map.grd, profile 1: an arc of radius");
 }
 
 /** Pressed against its own copy: amplitudes times sqrt 2, and half the modulus; the counterface is no surface itself.
