@@ -554,7 +554,10 @@ static enum status_code take_heights(struct scan *out, struct table *table, size
         take_units(out, table, spacing->unit, &x_m, &z_m) != STATUS_OK)
         return table->file->status->code;
     out->dx_m = spacing->value * x_m;
-    bool counted = rows > TEXT_POINTS && cell[0] == (double)(rows - 1) && cell[1] != round(cell[1]);
+    bool whole = true;
+    for (size_t i = 1; i < rows && whole; i++)
+        whole = cell[i] == round(cell[i]);
+    const bool counted = rows > TEXT_POINTS && cell[0] == (double)(rows - 1) && !whole;
     if (counted)
         scan_warn(out, "the first number, %zu, says how many heights follow", rows - 1);
     return take_columns(out, table, counted ? 1 : 0, x_m, z_m);
@@ -582,7 +585,7 @@ static enum status_code take_points(struct scan *out, struct table *table, size_
     if (bad < rows && isnan(at(table, bad, x)))
         return scan_fail(table->file, line_of_row(table, bad), "no x here; fill it in or remove this line");
     if (bad < rows)
-        return scan_fail(table->file, line_of_row(table, bad), "x %s; x has to go one way: sort or remove points%s",
+        return scan_fail(table->file, line_of_row(table, bad), "x %s; x has to go one way: sort or remove points, choose it by `column`%s",
                          bad > 0 && at(table, bad, x) == at(table, bad - 1, x) ? "is that of the point before"
                                                                                : "turns back",
                          or_semicolons(table));

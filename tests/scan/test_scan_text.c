@@ -299,7 +299,8 @@ TEST_CASE(test_refusals)
     assert_refused("0,1\n1,2\n2,3\nend\n", "file:4: 'end'");
     assert_refused("0;1\n1;2\n;x\n", "file:3: 'x'");
     assert_refused("# a\n0 1\n# b\n\n1 2\n1 3\n2 4\n", "file:6: x is that of the point before");
-    assert_refused("0,1\n2,2\n1,3\n", "file:3: x turns back");
+    assert_refused("0,1\n2,2\n1,3\n",
+                   "file:3: x turns back; x has to go one way: sort or remove points, choose it by `column`");
     assert_refused("0,1,2,5\n0,2,2,1\n0,3,1,9\n", "keep two columns, x and z, or separate the columns by semicolons");
     assert_refused("0,4771\n0,4783\n0,4790\n", "separate the columns by semicolons if the commas are decimal signs");
     assert_refused("0;1.5\n1;2,5\n2;3.5\n", "file:2: both '.' and ','");
@@ -430,6 +431,7 @@ TEST_CASE(test_counts)
     assert_refused("3\n" BLANKS, "file:1: 3 points are announced, 4 follow");
     assert_four_points("# spacing 1 mm\n4\n" HEIGHTS, "", "um");
     expect_scan("# spacing 1 mm\n# z [um]\n4\n" HEIGHTS, 4, 0, "the first number, 4, says how many heights follow");
+    expect_scan("# spacing 1 mm\n# z [um]\n4\n0.0\n0.5\n-1\n2\n", 4, 0, "the first number, 4, says how many heights");
     expect_scan("# spacing 1 mm\n# z [um]\n4\n1\n3\n2\n1\n", 5, 0, NULL); /* whole numbers all: a height */
 }
 
