@@ -363,6 +363,7 @@ static bool bond_line_missing(struct claims *c)
 {
     static const double usual_m = 50e-6;
     const struct joint *joint = &c->results->scene->joint;
+    put_surface(c, c->i);
     put(c, "gap", answer(c, c->i, QUANTITY_SEPARATION));
     put(c, "usual", usual_m);
     put(c, "most", joint->conductivity_W_per_mK / usual_m);
