@@ -27,7 +27,6 @@ PRINTF_LIKE(2, 3) static void profile_note(struct profile *profile, const char *
 static const double sanity_steepest = 10;     /* slope */
 static const double sanity_digit_share = 0.2; /* of m4 */
 static const double sanity_noise_ratio = 8;   /* of m4 at h to m4 at 2h: amplitudes as lambda^0.5 */
-static const double sanity_end_jump = 3;      /* Rq */
 enum { SANITY_POINTS = 64, SANITY_STEPS = 30 };
 
 double profile_digitiser_step(const double *height_m, size_t points)
@@ -107,11 +106,11 @@ static void check_curvature(struct profile *profile, double digit_m, const struc
  *  Rq above the length, or a slope above 10: wrong units;
  *  rounding of the digitiser's step q, of variance q²/12, makes m4 = 6 (q²/12)/h^4, above 20 % of m4 (no lambda_s);
  *  noise: m4 is 8 times smaller or more with every other point (white noise: 16, a resolved profile: 1);
- *  a tip radius above the RMS radius of curvature; ends that differ by over 3 Rq; under 64 points. */
+ *  a tip radius above the RMS radius of curvature; under 64 points. */
 static void check_sanity(struct profile *profile, double digit_m, const struct profile_options *options)
 {
     const double *z = profile->height_m, length_m = (double)profile->points * profile->spacing_m;
-    double sum_m = 0, square_m2 = 0, steepest = 0, jump_m = fabs(z[profile->points - 1] - z[0]);
+    double sum_m = 0, square_m2 = 0, steepest = 0;
     for (size_t i = 0; i < profile->points; i++)
         sum_m += z[i];
     for (size_t i = 0; i < profile->points; i++) {
@@ -126,9 +125,6 @@ static void check_sanity(struct profile *profile, double digit_m, const struct p
         profile_note(profile, "the steepest slope is %.3g (%.0f degrees): check the units, or spikes in the scan",
                      steepest, atan(steepest) * 180 / M_PI);
     check_curvature(profile, digit_m, options);
-    if (jump_m > sanity_end_jump * rq_m)
-        profile_note(profile, "the ends of the record differ by %.3g um, %.1f Rq: as a period it has a step there",
-                     jump_m * 1e6, jump_m / rq_m);
     if (profile->points < SANITY_POINTS)
         profile_note(profile, "only %zu points%s", profile->points,
                      profile->points < PROFILE_SPECTRUM_POINTS ? "; a report needs 11" : ": the spectrum is coarse");
@@ -318,9 +314,6 @@ static enum status_code take_filters(struct profile *profile, const struct profi
         return status_fail(status, STATUS_SCAN,
                            "lambda_%c is %.6g m, longer than the scan of %.6g m; give a shorter one",
                            longest_m == lambda_c_m ? 'c' : 's', longest_m, length_m);
-    if (lambda_s_m > 0 && lambda_s_m < 2 * profile->spacing_m)
-        profile_note(profile, "lambda_s %.4g um is below twice the spacing: the filter takes little away",
-                     lambda_s_m * 1e6);
     if (lambda_s_m > 0 && pass(profile, lambda_s_m, false, status) != STATUS_OK)
         return status->code;
     if (lambda_c_m > 0 && pass(profile, lambda_c_m, true, status) != STATUS_OK)

@@ -300,24 +300,6 @@ static bool is_too_deep(struct string_view text, struct string_view line)
     return (size_t)(line.start - text.start) > limit_most(LIMIT_HEADER_BYTES);
 }
 
-/* Has a line a column of text and two of numbers? `found` are these columns, from 1. */
-static bool has_text_and_numbers(size_t found[3], struct string_view line)
-{
-    static const char delimiters[] = "\t;,";
-    for (size_t d = 0; delimiters[d]; d++) {
-        struct string_view rest = line, cell;
-        double value;
-        found[0] = found[1] = found[2] = 0;
-        for (size_t column = 1; cell_next(&rest, delimiters[d], &cell); column++) {
-            size_t k = !number_read(cell, &value) ? 0 : found[1] == 0 ? 1 : 2;
-            found[k] = found[k] == 0 ? column : found[k];
-        }
-        if (found[0] > 0 && found[2] > 0)
-            return true;
-    }
-    return false;
-}
-
 /* Finds the first line that is a row of numbers and reads from there to the end; comments and, with two columns or
  * more, blank lines are passed over. */
 static enum status_code read_table(struct table *table)
@@ -361,17 +343,9 @@ static enum status_code read_table(struct table *table)
                              announced, table->rows);
         return table->file->status->code;
     }
-    size_t found[3]; /* text, x, z */
-    if (above.start && has_text_and_numbers(found, above))
-        return scan_fail(table->file, above_line,
-                         "column %zu holds text; choose the columns of x and z, as with `--column %zu,%zu` or `column: "
-                         "[%zu, %zu]` in a scene",
-                         found[0], found[1], found[2], found[1], found[2]);
-    const struct scan_options *wanted = wanted_of(table->file);
-    if (wanted)
-        return scan_fail(table->file, 0, "no line of numbers in the columns %zu and %zu; choose others",
-                         wanted->x_column, wanted->z_column);
-    return scan_fail(table->file, 0, "no line of numbers in it: not a scan");
+    return scan_fail(
+        table->file, 0,
+        "no line of numbers in it: not a scan; where columns hold text choose others, as in `column: [2, 3]`");
 }
 
 bool scan_text_has_numbers(const struct scan_file *file)
@@ -585,7 +559,8 @@ static enum status_code take_points(struct scan *out, struct table *table, size_
     if (bad < rows && isnan(at(table, bad, x)))
         return scan_fail(table->file, line_of_row(table, bad), "no x here; fill it in or remove this line");
     if (bad < rows)
-        return scan_fail(table->file, line_of_row(table, bad), "x %s; x has to go one way: sort or remove points, choose it by `column`%s",
+        return scan_fail(table->file, line_of_row(table, bad),
+                         "x %s; x has to go one way: sort or remove points, choose it by `column`%s",
                          bad > 0 && at(table, bad, x) == at(table, bad - 1, x) ? "is that of the point before"
                                                                                : "turns back",
                          or_semicolons(table));

@@ -151,7 +151,8 @@ TEST_IN_WORKSPACE(test_inspect)
 
     process = expect_exit(place, 1, "inspect", "--chart", "a.csv", "bad.csv", "b.csv");
     expect_parts(process.out, "a.csv\n", "b.csv\n");
-    assert_string_equal(process.err, "roughcontact: bad.csv: no line of numbers in it: not a scan\n");
+    assert_string_equal(process.err, "roughcontact: bad.csv: no line of numbers in it: not a scan; where columns hold "
+                                     "text choose others, as in `column: [2, 3]`\n");
     expect_failure(place, 4, 2, "cannot open 'nowhere.csv'", "inspect", "nowhere.csv", "bad.csv");
     assert_int_equal(unsetenv("COLUMNS"), 0);
 }

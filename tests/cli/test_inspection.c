@@ -332,7 +332,7 @@ TEST_IN_WORKSPACE(test_standard_input)
     }
     workspace_write(place, "bad.csv", "hello\n");
     struct process bad = expect_status(inspect_input(place, "--json - <bad.csv"), 4);
-    expect_output(bad, "\"error\": \"-: no line of numbers in it: not a scan\"");
+    expect_output(bad, "\"error\": \"-: no line of numbers in it: not a scan; where columns");
     workspace_folder(place, "empty");
     expect_failure(place, 4, 1, "no scan in 'empty'", "inspect", "empty");
     expect_failed(inspect_input(place, "- </dev/null"), 4, 1, "-: the file is empty");

@@ -82,7 +82,8 @@ TEST_IN_WORKSPACE(test_packed)
     process = run_program(place, CMAKE_PROGRAM, "-E", "tar", "cf", "dc/s.zip", "--format=zip", "3.csv", "again.csv");
     assert_int_equal(process.status, 0);
     run_to_exit(place, 0, "report", "--no-cost", "dc");
-    expect_in_file(place, "out/dc/report.md", "**Copies:** s.zip(again.csv) holds the same heights as s.zip(3.csv) and");
+    expect_in_file(place, "out/dc/report.md",
+                   "**Copies:** s.zip(again.csv) holds the same heights as s.zip(3.csv) and");
     workspace_scan(place, "df/1.csv", 200, 3);
     workspace_scan(place, "df/3.csv", 200, 1);
     workspace_write(place, "df/scene.yaml", "surfaces: [{name: s, file: [1.csv, 3.csv]}]\n");

@@ -130,7 +130,8 @@ TEST_CASE(test_maps)
     assert_refused_bytes("1 3 2 4\n5 1 3 1\n1 1 1 1\n", 24, &z_um, "without its pixel size; add a line `pixel size");
     assert_refused("0 0 1\n1 0 2\n2 0 3\n0 1 4\n1 1 5\n2.5 1 6\n", "file:6: this point is not on the grid");
     assert_refused("0 0 1\n1 0 2\n2 0 3\n0 1 4\n1 1 5\n0 2 1\n1 2 1\n2 2 1\n", "file:6: this point is not on the grid");
-    assert_refused("0 0 1\n1 0 2\n2 0 3\n0 1 4\n1 1 5\n2 1 1\n0 2 1\n", "file:7: the last row of points is not complete");
+    assert_refused("0 0 1\n1 0 2\n2 0 3\n0 1 4\n1 1 5\n2 1 1\n0 2 1\n",
+                   "file:7: the last row of points is not complete");
 }
 
 /* x y z as Gwyddion exports a map: metres, centres of pixels, five digits, so that places round by 2 % of a step. */

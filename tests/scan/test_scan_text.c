@@ -493,7 +493,9 @@ TEST_CASE(test_columns_that_are_no_scan)
 {
     static const char timed[] = "time,x_mm,z_um\n2024-03-01 10:11:00,0,0.5\n2024-03-01 10:11:01,1,-1.25\n"
                                 "2024-03-01 10:11:02,2,2.75\n2024-03-01 10:11:03,3,0.125\n";
-    assert_refused(timed, "column 1 holds text; choose the columns of x and z, as with `--column 2,3`");
+    assert_refused(
+        timed,
+        "file: no line of numbers in it: not a scan; where columns hold text choose others, as in `column: [2, 3]`");
     struct scan scan = read_with(timed, &(struct scan_options){.x_column = 2, .z_column = 3});
     assert_int_equal(scan.nx, 4);
     assert_near(scan.z_m[2], 2.75e-6, 1e-12);

@@ -155,7 +155,9 @@ TEST_CASE(test_columns)
     struct scan_options six = {.z_column = 6}, same = {.x_column = 2, .z_column = 2}, first = {.z_column = 1},
                         beyond = {.x_column = 1, .z_column = 6}, two = {.x_unit = "mm", .z_unit = "um", .z_column = 2};
     refuse_with(FIVE, &six, "file:2: there is no column 6: there are 5 columns");
-    refuse_with(FIVE, &beyond, "file: no line of numbers in the columns 1 and 6; choose others");
+    refuse_with(
+        FIVE, &beyond,
+        "file: no line of numbers in it: not a scan; where columns hold text choose others, as in `column: [2, 3]`");
     refuse_with(FIVE, &same, "column 2 cannot be x and z");
     refuse_with(FIVE, &first, "column 1 cannot be x and z; choose both, as in `column: [1, 2]`");
     refuse_with("spacing 0.5 um\n1\n2\n3\n4\n", &two, "there is no column 2: there is 1 column");
