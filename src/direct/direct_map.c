@@ -96,25 +96,31 @@ static void smooth_along(double *field, struct direct_map_lines lines, const dou
 static enum status_code low_pass(double *smooth, const double *height, const struct direct_map_def *def,
                                  struct status *status)
 {
-    const size_t nx = def->nx, ny = def->ny, reach = (size_t)ceil(1.5 * def->cutoff), count = nx * ny;
-    const size_t places = (nx > ny ? nx : ny) + 2 * reach;
-    double *there = malloc((count + places + reach + 1) * sizeof *there), sum = 0, offset = NAN;
+    const double cutoff[] = {def->cutoff,
+                             def->cutoff * (def->dy_m > 0 ? def->dx_m / def->dy_m : 1)}; /* along, across */
+    const size_t nx = def->nx, ny = def->ny, most = (size_t)ceil(1.5 * fmax(cutoff[0], cutoff[1])), count = nx * ny;
+    const size_t places = (nx > ny ? nx : ny) + 2 * most;
+    double *there = malloc((count + places + most + 1) * sizeof *there), offset = NAN;
     if (!there)
         return status_memory(status);
     double *fields[] = {smooth, there}, *room = there + count, *weight = room + places;
-    for (size_t r = 0; r <= reach; r++) {
-        weight[r] = exp(-pow(M_PI * (double)r / def->cutoff, 2) / M_LN2);
-        sum += weight[r] * (r > 0 ? 2 : 1);
-    }
-    for (size_t r = 0; r <= reach; r++)
-        weight[r] /= sum;
     for (size_t k = 0; k < count; k++) {
         offset = isnan(offset) ? height[k] : offset; /* so that the difference keeps its digits */
         there[k] = isfinite(height[k]);
         smooth[k] = there[k] > 0 ? height[k] - offset : 0;
     }
-    for (int f = 0; f < 4; f++)
-        smooth_along(fields[f / 2], direct_map_lines(nx, ny, f % 2), weight, reach, def->periodic, room);
+    for (int across = 0; across < 2; across++) {
+        const size_t reach = (size_t)ceil(1.5 * cutoff[across]);
+        double sum = 0;
+        for (size_t r = 0; r <= reach; r++) {
+            weight[r] = exp(-pow(M_PI * (double)r / cutoff[across], 2) / M_LN2);
+            sum += weight[r] * (r > 0 ? 2 : 1);
+        }
+        for (size_t r = 0; r <= reach; r++)
+            weight[r] /= sum;
+        for (int f = 0; f < 2; f++)
+            smooth_along(fields[f], direct_map_lines(nx, ny, across), weight, reach, def->periodic, room);
+    }
     for (size_t k = 0; k < count; k++)
         smooth[k] = smooth[k] / there[k] + offset;
     free(there);
