@@ -179,7 +179,7 @@ static enum status_code read_xml(struct main_xml *out, const struct text *xml, c
 {
     *out = (struct main_xml){0};
     for (size_t i = 0; i < 3; i++)
-        out->axis[i] = (struct x3p_axis){'A', 'D', 1.0, 0.0};
+        out->axis[i] = (struct x3p_axis){'A', 'D', NAN, 0.0};
     struct parse parse = {.out = out, .parser = XML_ParserCreate(NULL), .file = file};
     if (!parse.parser)
         return status_memory(file->status);
@@ -265,7 +265,7 @@ static enum status_code read_size(const struct main_xml *xml, size_t *nx, size_t
 
 static double scaled(const struct x3p_axis *axis, double value)
 {
-    double result = value * axis->increment + axis->offset;
+    double result = value * (isnan(axis->increment) ? 1 : axis->increment) + axis->offset;
     return isfinite(result) ? result : NAN;
 }
 

@@ -111,6 +111,7 @@ TEST_CASE(test_x3p_refusals)
         {MAIN("SUR", GRID AXIS("CZ", "A", "Q", "", ""), MATRIX("3", "2", "1") LINK), "data type 'Q'"},
         {MAIN("SUR", GRID AXIS("CZ", "I", "D", "", ""), MATRIX("3", "2", "1") LINK), "no heights"},
         {MAIN("SUR", AXIS("CX", "A", "D", "", "") CZ, MATRIX("3", "2", "1") LINK), "on a grid"},
+        {MAIN("PRF", AXIS("CX", "I", "D", "", "") CZ, MATRIX("3", "1", "1") LINK), "a spacing of nan m is no spacing"},
         {MAIN("SUR", GRID CZ, MATRIX("3", "2", "1") VALID_LINK), "no 'valid.bin' in the archive"},
         {"<x><y></x>", "main.xml, line 1: mismatched tag"},
         {"<!DOCTYPE x [<!ENTITY a \"aaaa\"><!ENTITY b \"&a;&a;\">]><x>&b;</x>",
