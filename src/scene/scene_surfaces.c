@@ -81,8 +81,7 @@ static bool add_files(struct scene_source *source, struct scene_files *files, co
         if (scene_files_add(files, file, source->status) != STATUS_OK)
             return false;
         if (failed)
-            return scene_source_fail(source, line,
-                                     "cannot find '%s': %s; paths start at the scene's directory",
+            return scene_source_fail(source, line, "cannot find '%s': %s; paths start at the scene's directory",
                                      shown.text, strerror(reason));
         return S_ISREG(info.st_mode) ||
                scene_source_fail(source, line, "'%s' is no regular file; name one", shown.text);

@@ -21,11 +21,8 @@ static struct tiles bumps(double *height_m, size_t side, const double (*at)[3], 
             height_m[k] = fmax(height_m[k], at[b][2] - (x * x + y * y) * dx_m * dx_m / (2 * radius_m));
         }
     }
-    return (struct tiles){.height_m = height_m,
-                          .def = {side, side, dx_m, dx_m, closes, 0},
-                          .side = side,
-                          .columns = 1,
-                          .rows = 1};
+    return (struct tiles){
+        .height_m = height_m, .def = {side, side, dx_m, dx_m, closes, 0}, .side = side, .columns = 1, .rows = 1};
 }
 
 static struct map_contact contact_of(const struct tiles *tiles, double load, double hardness)
