@@ -254,7 +254,8 @@ TEST_IN_PLACE(a_plating_has_its_hardness)
         double hardness_Pa;
         const char *said; /* NULL: nothing of a plating's hardness */
     } rows[] = {
-        {"plating: {metal: tin, thickness: 20 um}\n", 100e6, "- The hardness is the plating's, 100\u00a0MPa on a and b, "},
+        {"plating: {metal: tin, thickness: 20 um}\n", 100e6,
+         "- The hardness is the plating's, 100\u00a0MPa on a and b, "},
         {"plating: {metal: tin, thickness: 1 nm}\n", bronze_Pa, "- The hardness is the softer body's, "},
         {"plating: {metal: tin, thickness: 20 um}\nhardness: 900 MPa\n", 900e6, "- The hardness is the scene's, 900"},
         {"plating: {metal: hard gold, thickness: 20 um}\n", 1.667e9, "- The hardness is the plating's, 1667"},
@@ -262,8 +263,7 @@ TEST_IN_PLACE(a_plating_has_its_hardness)
          "- The hardness is the softer body's, "},
         {"counterface: same\nplating: {metal: hard gold, thickness: 20 um, sides: both}\n", 1.667e9,
          "- The hardness is the plating's, 1667"},
-        {"plating: {resistivity: 1e-7, thickness: 20 um}\n", bronze_Pa,
-         "- The hardness is the softer body's, "},
+        {"plating: {resistivity: 1e-7, thickness: 20 um}\n", bronze_Pa, "- The hardness is the softer body's, "},
         {"film: 0\n", bronze_Pa, NULL},
     };
     double area[2] = {0};
