@@ -528,16 +528,15 @@ static enum status_code take_heights(struct scan *out, struct table *table, size
         take_units(out, table, spacing->unit, &x_m, &z_m) != STATUS_OK)
         return table->file->status->code;
     out->dx_m = spacing->value * x_m;
-    bool whole = true;
-    for (size_t i = 1; i < rows && whole; i++)
-        whole = cell[i] == round(cell[i]);
-    const bool counted = rows > TEXT_POINTS && cell[0] == (double)(rows - 1) && !whole;
+    size_t whole = 1; /* numbers that may be heights in digits */
+    while (whole < rows && cell[whole] == round(cell[whole]))
+        whole++;
+    const bool counted = rows > TEXT_POINTS && cell[0] == (double)(rows - 1) && whole < rows;
     if (counted)
         scan_warn(out, "the first number, %zu, says how many heights follow", rows - 1);
     return take_columns(out, table, counted ? 1 : 0, x_m, z_m);
 }
 
-/* What else to do about numbers that make no sense. */
 static const char *or_semicolons(const struct table *table)
 {
     return table->delimiter == ',' ? ", or separate the columns by semicolons if the commas are decimal signs" : "";
