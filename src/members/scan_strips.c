@@ -37,11 +37,33 @@ static size_t pairings_of(size_t rows)
     return (STRIPS_PAIRINGS + rows - 1) / rows;
 }
 
+/** By their seeds, then as they stand. */
+static int by_seed(const void *a, const void *b)
+{
+    const struct member *one = *(struct member *const *)a, *other = *(struct member *const *)b;
+    return one->seed != other->seed ? (one->seed > other->seed) - (one->seed < other->seed)
+                                    : (one > other) - (one < other);
+}
+
+/** The whole members, malloc'ed: rows of a map as they lie, scans in the order of their seeds, as the rows of a strip
+ * press on each other and neither names nor units may change a number; NULL: out of memory. */
+static struct member **whole_members(const struct ensemble *set, size_t points, double spacing_m)
+{
+    struct member **out = malloc((set->count + 1) * sizeof(struct member *));
+    size_t count = 0;
+    for (size_t p = 0; out && p < set->count; p++)
+        if (is_whole(&set->members[p], points, spacing_m))
+            out[count++] = &set->members[p];
+    if (count > 0 && !out[0]->is_row)
+        qsort(out, count, sizeof(struct member *), by_seed);
+    return out;
+}
+
 enum status_code strips_gather(struct strips *out, struct ensemble *set, bool paired, struct status *status)
 {
     bool map = set->count > 0 && set->members[0].is_row, periodic = true;
     double spacing_m = set->count > 0 ? set->members[0].spacing_m : 0;
-    size_t points = 0, whole = 0, taken = 0;
+    size_t points = 0, whole = 0;
     for (size_t p = 0; p < set->count; p++)
         points = set->members[p].points > points ? set->members[p].points : points;
     for (size_t p = 0; p < set->count; p++)
@@ -61,10 +83,11 @@ enum status_code strips_gather(struct strips *out, struct ensemble *set, bool pa
     if (!(out->height_m = malloc(scans * each * length * sizeof *out->height_m)) ||
         !(out->seed = malloc(scans * each * sizeof *out->seed)))
         return status_memory(status);
-    for (size_t p = 0, k = 0; p < set->count; p++) {
-        struct member *member = &set->members[p];
-        if (!is_whole(member, points, spacing_m) || k++ != (2 * taken + 1) * whole / (2 * scans))
-            continue;
+    struct member **in_order = whole_members(set, points, spacing_m);
+    if (!in_order)
+        return status_memory(status);
+    for (size_t taken = 0; taken < scans; taken++) {
+        struct member *member = in_order[(2 * taken + 1) * whole / (2 * scans)];
         member->first_piece = taken * each;
         member->pieces = each;
         for (size_t i = 0; i < each; i++) {
@@ -73,8 +96,8 @@ enum status_code strips_gather(struct strips *out, struct ensemble *set, bool pa
             memcpy(out->height_m + (taken * each + i) * length, member->height_m + first,
                    length * sizeof *out->height_m);
         }
-        taken++;
     }
+    free(in_order);
     out->rows = (struct strip_rows){out->height_m,
                                     scans * each,
                                     length,

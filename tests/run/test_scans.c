@@ -43,36 +43,39 @@ static void rough(const struct directory *place, const char *name, size_t points
     pipeline_scan(place, name, height_m, points);
 }
 
-/** The same scan in other units, or from its other end, has the same answers: also by strips, whose surrogates are
- * drawn. */
+/** The same scans in other units, or from their other end, have the same answers: also by strips, whose surrogates are
+ * drawn and whose rows, beside one another, press on each other. */
 TEST_IN_DIRECTORY(other_units_and_directions)
 {
-    enum { LONG = 600 };
+    enum { LONG = 600, AS = 3 };
+    static const char *const columns[] = {"area_ratio", "separation_m", "ecr_ohm_m2"};
     struct synth_def def = synth_def_default();
     double height_m[LONG];
-    struct text file[3] = {{0}};
     def.points = LONG;
     def.length_m = 5e-7 * LONG;
-    expect_ok(synth_profile, height_m, &def);
-    for (int k = 0; k < 3; k++) {
-        text_add(&file[k], k == 1 ? "x [mm],z [nm]\n" : "x [um],z [um]\n");
-        for (size_t i = 0; i < LONG; i++)
-            text_add(&file[k], "%g,%.6f\n", 0.5 * (double)i * (k == 1 ? 1e-3 : 1),
-                     height_m[k == 2 ? LONG - 1 - i : i] * (k == 1 ? 1e9 : 1e6));
-        directory_write(place, filled("in/%d.csv", k), text_string(&file[k]));
-        text_free(&file[k]);
-        report(place, filled("as-%d", k), "models: [strip]\neffects: [separation, electrical]\n",
-               filled("{name: m, file: %d.csv}", k));
+    for (int s = 0; s < 3; s++, def.seed++) {
+        expect_ok(synth_profile, height_m, &def);
+        for (int k = 0; k < AS; k++) {
+            struct text *file = support_text();
+            text_add(file, k == 1 ? "x [mm],z [nm]\n" : "x [um],z [um]\n");
+            for (size_t i = 0; i < LONG; i++)
+                text_add(file, "%g,%.6f\n", 0.5 * (double)i * (k == 1 ? 1e-3 : 1),
+                         height_m[k == 2 ? LONG - 1 - i : i] * (k == 1 ? 1e9 : 1e6));
+            directory_write(place, filled("in/%d-%d.csv", k, s), text_string(file));
+        }
     }
-    struct table as_is = directory_table(place, "as-0/data/contact.csv");
-    for (int k = 1; k < 3; k++) {
-        struct table other = directory_table(place, filled("as-%d/data/contact.csv", k));
-        assert_int_equal(other.rows, as_is.rows);
-        for (size_t i = 0; i < as_is.rows; i++)
-            for (int q = 0; q < 3; q++) {
-                const char *column = (const char *[]){"area_ratio", "separation_m", "ecr_ohm_m2"}[q];
-                assert_near(table_number(&other, i, column), table_number(&as_is, i, column), k == 1 ? 1e-3 : 0.03);
-            }
+    for (int f = 0; f < 2; f++) {
+        struct table as[AS];
+        for (int k = 0; k < AS; k++) {
+            report(place, filled("as-%d", k), "models: [strip]\neffects: [separation, electrical]\n",
+                   filled(f == 0 ? "{name: m, file: '%d-0.csv'}" : "{name: m, file: '%d-*.csv'}", k));
+            as[k] = directory_table(place, filled("as-%d/data/contact.csv", k));
+            assert_int_equal(as[k].rows, as[0].rows);
+            for (size_t i = 0; i < as[k].rows; i++)
+                for (int q = 0; q < 3; q++)
+                    assert_near(table_number(&as[k], i, columns[q]), table_number(&as[0], i, columns[q]),
+                                k == 1 ? 1e-3 : 0.05);
+        }
     }
 }
 
