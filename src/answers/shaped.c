@@ -219,8 +219,8 @@ static enum status_code explain(double pressure_Pa, struct status *status)
     *status = (struct status){0};
     if (isnan(pressure_Pa))
         return status_fail(status, STATUS_MODEL, "%s; with 'shape', choose another of 'models'", problem.message);
-    return status_fail(status, STATUS_MODEL, "at %.3g MPa %s; begin 'load' higher, or correct 'shape'",
-                       pressure_Pa * 1e-6, problem.message);
+    return status_fail(status, STATUS_MODEL, "at %.3g MPa %s; narrow 'load', or correct 'shape'", pressure_Pa * 1e-6,
+                       problem.message);
 }
 
 /** Solves all loads, and tabulates the resistances. */

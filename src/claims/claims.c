@@ -460,22 +460,20 @@ static bool rank(struct claims *c)
 {
     const struct comparison *ranking = c->comparison;
     struct named like = {0};
-    size_t next = 1;
+    double p = 1; /* the least of those alike */
     if (!ranking_holds(c) || area_pressed(c))
         return false;
     for (size_t j = 1; j < ranking->count; j++) {
         const struct comparison_pair *pair = comparison_pair_of(ranking, 0, j);
-        if (!comparison_told_apart(pair)) {
-            next = like.count == 0 ? j : next;
-            add_name(&like, ranking->surface[j]);
-        } else if (like.count == 0 && pair->p > comparison_pair_of(ranking, 0, next)->p)
-            next = j;
+        if (comparison_told_apart(pair))
+            continue;
+        p = fmin(p, pair->p);
+        add_name(&like, ranking->surface[j]);
     }
-    const double p = comparison_pair_of(ranking, 0, next)->p;
+    p = like.count > 0 ? p : comparison_pair_of(ranking, 0, 1)->p;
     put_text(c, "quantity", words_say(c->words, "rank.%s", quantity_rows[ranking->criterion].name));
     put_surface(c, ranking->surface[0]);
-    put_text(c, "next", name_of(c, ranking->surface[next]));
-    put_count(c, "count", ranking->count);
+    put_text(c, "next", name_of(c, ranking->surface[1]));
     (void)put_names(c, &like);
     put_number(c, "p", p, fmax(p, 1e-4), 2, "");
     c->key = like.count == 0                   ? "best"
@@ -533,7 +531,6 @@ static bool further_limit(struct claims *c)
                 add_name(&on, usable(c, k));
     }
     put_text(c, "limit", text);
-    put_count(c, "count", on.count);
     return put_names(c, &on) && c->i >= ASKED_LIMIT_COLUMNS;
 }
 
@@ -573,11 +570,12 @@ static bool scans_to_decide(struct claims *c)
 
 /* ---- How far the answer may be off ---- */
 
-/** The factor to either side of the interval of a modelled answer; NaN: it has none. */
+/** The factor to the farther end of a modelled answer's interval, as a bound may cut the other; NaN: it has none. */
 static double factor_on(const struct claims *c, size_t surface)
 {
     const struct known known = known_value(c->results, c->asked.quantity, surface);
-    return known.measured ? NAN : sqrt(known.high / known.low);
+    const bool has = !known.measured && isfinite(known.low * known.high);
+    return has ? fmax(known.high / known.value, known.value / known.low) : NAN;
 }
 
 /** The standard deviation of ln the answer from too few of the longest waves in a surface's scans: its part of the
@@ -693,7 +691,8 @@ static bool direct(struct claims *c)
     const double value[] = {solved.value, solved.value * solved.ratio};
     static const char *const names[] = {"direct", "model"};
     put_surface(c, c->i);
-    put_text(c, "quantity", words_say(c->words, "rank.%s", quantity_rows[quantity].name));
+    put_text(c, "quantity",
+             words_say(c->words, own ? "%s" : "rank.%s", own ? c->asked.name : quantity_rows[quantity].name));
     for (int k = 0; k < 2; k++)
         put_number(c, names[k], value[k], own ? asked_shown(&c->asked, value[k]) : value[k] * unit.scale, 2,
                    own ? c->asked.unit : unit.unit);

@@ -405,9 +405,9 @@ static void add_plan(struct text *table, const struct results *results, double r
         text_add(table, "\n\n");
     }
     text_add(table, "%s\n",
-             words_say(plan->words, "plan.end\nsurfaces %zu\n%s\nloads %zu\ntolerance %g\nclosure %s\ntime %.2g",
-                       scene->surface_count, scene->surface_count == 1 ? "one" : "", results->load_count,
-                       scene->tolerance, sinusoid_fits[scene->closure].name, rough_seconds));
+             words_say(plan->words, "plan.end\nsurfaces %zu\nloads %zu\ntolerance %g\nclosure %s\ntime %.2g",
+                       results->usable_count, results->load_count, scene->tolerance, sinusoid_fits[scene->closure].name,
+                       rough_seconds));
 }
 
 const struct argp command_plan_argp = {

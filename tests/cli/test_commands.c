@@ -129,7 +129,7 @@ TEST_IN_WORKSPACE(test_plan)
     char *before = workspace_digest(place, ".");
     struct process process = expect_exit(place, 0, "plan", "d");
     expect_no_part(process.out, "No material is given");
-    expect_part(process.out, "\n1 surface, 7 loads, tolerance 1e-06, closure thesis: about 0.25 s\n");
+    expect_part(process.out, "\nsurfaces: 1, loads: 7, tolerance 1e-06, closure thesis: about 0.25 s\n");
     expect_narrow(process.out);
     expect_output(
         expect_exit(place, 0, "plan", "d", "--effects", "thermal", "--tolerance", "1e-3", "--material", "gold"),

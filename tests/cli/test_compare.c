@@ -247,7 +247,11 @@ TEST_IN_WORKSPACE(each_report_speaks_by_its_leading_model)
     at(view, "models.1.label", "\"strip transfer\"");
     at(view, "without.0", "");
     expect_output(expect_exit(place, 0, "compare", "elastic", "gw", "hard"),
-                  "No number, hence not ranked: s of report 2.\n");
+                  "No ECR by strip transfer, hence not ranked: s of report 2.\n");
+    make_results(place, "other", "t", 1, KNOWN("0.1", "20"));
+    workspace_shell(place, "sed -i 's/\"m\"/\"strip\"/g' other/results.json");
+    expect_parts(expect_exit(place, 0, "compare", "elastic", "other").out, "- s has no partner in 2",
+                 "- t has no partner in 1");
     view = process_json(expect_exit(place, 0, "compare", "elastic", "gw", "hard", "--json"));
     at(view, "ranking.lines.2", "");
     at(view, LINE(1, "report"), "1");
@@ -255,7 +259,7 @@ TEST_IN_WORKSPACE(each_report_speaks_by_its_leading_model)
     make_led(place, "elastic", "strip-plastic", 2);
     struct process same = expect_exit(place, 0, "compare", "hard", "elastic");
     expect_part(same.out, "By strip transfer with hardness. Welch");
-    expect_no_parts(same.out, "that leads it", "No number", "strip-plastic");
+    expect_no_parts(same.out, "that leads it", "not ranked", "strip-plastic");
 }
 
 /* Two reports: what differs comes first; more than two: the ranking. */

@@ -256,7 +256,7 @@ TEST_WITH(surfaces_within_their_scatter_do_not_differ_significantly, NULL, free_
     assert_null(claim_of("best"));
     assert_string_equal(view_at(made.view, "rows.0.letters"), "a"); /* beta's and alpha's */
     assert_string_equal(view_at(made.view, "rows.1.letters"), "a");
-    report_says("has the best contact resistance, but none of the 3 differs significantly");
+    report_says("has the best contact resistance, but not significantly better than any other (p ≥");
 }
 
 TEST_OF_PLAIN(names_from_outside_mean_nothing)

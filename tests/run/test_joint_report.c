@@ -358,7 +358,7 @@ TEST_IN_PLACE(a_shape_without_an_answer)
         const char *more, *said;
     } rows[] = {
         {"shape: {crown: 1 mm}\n",
-         "no shape with JG: at 0.098 MPa its pressures do not converge; begin 'load' higher, or "
+         "no shape with JG: at 0.098 MPa its pressures do not converge; narrow 'load', or "
          "correct 'shape'\n"},
         {"shape: {flatness: 9 um, over: 20 mm}\nhardness: 2 MPa\n",
          "no shape with JG: from 0.098 MPa on over 5 % of the load lies where 'shape' presses at the hardness; begin "
