@@ -39,7 +39,7 @@ static const double nearly_full_area = 0.99;
 /* A separation of the mean planes may go on below it, to where the statistical models end. */
 static const double lowest_separation = -0.5;
 
-/** What the figures are made from. */
+/** What the figures are made from, and how they are drawn. */
 struct source {
     const struct results *results;
     const struct surface_record *baseline;
@@ -47,10 +47,6 @@ struct source {
     struct asked asked;
     double hottest_C; /* charts of a temperature end there: the metal melts */
     struct words *words;
-};
-
-/** How they are drawn. */
-struct drawing {
     const struct figures_task *task;
     struct mustache_folder *templates;
     const char *directory;
@@ -66,17 +62,15 @@ static const char *surface_colour(size_t k)
     return surface_colours[k % COLOURS];
 }
 
-/** What stands on an axis. */
-struct axis {
-    enum quantity quantity;
-    bool reciprocal;
-    double scale; /* what is shown is scale times the quantity, or its inverse */
-};
-
-static double on_axis(const struct contact_point *point, const struct axis *axis, double sigma_m)
+/** What stands on an axis: its quantity, times a scale. */
+static struct asked axis_of(enum quantity quantity, double scale)
 {
-    double value = quantity_shown(point, axis->quantity, sigma_m) - quantity_unit(axis->quantity).offset;
-    return axis->reciprocal ? axis->scale / value : axis->scale * value;
+    return (struct asked){.quantity = quantity, .scale = scale};
+}
+
+static double on_axis(const struct contact_point *point, const struct asked *axis, double sigma_m)
+{
+    return asked_shown(axis, quantity_shown(point, axis->quantity, sigma_m) - quantity_unit(axis->quantity).offset);
 }
 
 /** Is point i drawn? Of more than MOST, evenly spread ones and both ends. */
@@ -88,9 +82,9 @@ static bool is_drawn(size_t i, size_t count)
 
 /** Points of a curve as one line over x and y. */
 static void put_part(struct chart *chart, const struct source *source, const struct contact_point *points, size_t count,
-                     const struct axis axis[2], double sigma_m)
+                     const struct asked axis[2], double sigma_m)
 {
-    const struct axis *y = &axis[1];
+    const struct asked *y = &axis[1];
     for (size_t i = 0; i < count; i++) {
         double value = on_axis(&points[i], y, sigma_m);
         bool full =
@@ -105,7 +99,7 @@ static void put_part(struct chart *chart, const struct source *source, const str
 
 /** A model's curve of a surface, dashed outside its range of validity. */
 static void put_curve(struct chart *chart, const struct source *source, const struct surface_record *record, size_t m,
-                      const struct axis axis[2], struct chart_curve look)
+                      const struct asked axis[2], struct chart_curve look)
 {
     const struct model_curve *curve = &record->curves[m];
     const double sigma_m = record->summary.asperities.sigma_m;
@@ -315,7 +309,7 @@ static void make_answer(struct chart *chart, const struct source *source)
     const struct results *results = source->results;
     const struct asked *asked = &source->asked;
     const double scale = asked_load_of(results, results->baseline).scale;
-    struct axis axis[2] = {{QUANTITY_LOAD, false, scale}, {asked->quantity, asked->reciprocal, asked->scale}};
+    struct asked axis[2] = {axis_of(QUANTITY_LOAD, scale), *asked};
     size_t textbook = asked_textbook(results);
     chart_panel(chart, "", load_label(source, true), asked_label(source, "axis.asked"), true, true);
     for (size_t k = 0; k < results->shown_count && results->shown_count <= 4; k++)
@@ -619,7 +613,7 @@ static void put_quantity(struct chart *chart, const struct source *source, const
 {
     const struct surface_record *record = &source->results->surfaces[surface];
     const double scale = of[1] == QUANTITY_LOAD ? load_of(source, surface, false).scale : scale_of(of[1]);
-    struct axis axis[2] = {{of[1], false, scale}, {model_shown(model_rows[m], of[0]), false, scale_of(of[0])}};
+    struct asked axis[2] = {axis_of(of[1], scale), axis_of(model_shown(model_rows[m], of[0]), scale_of(of[0]))};
     if (!computes(source, m, of[0]))
         return;
     put_curve(chart, source, record, m, axis, look);
@@ -665,38 +659,27 @@ static void put_baseline(struct chart *chart, const struct source *source, bool 
     }
 }
 
-static void make_one_surface(struct chart *chart, const struct source *source)
-{
-    put_baseline(chart, source, false, true);
-}
-
-static void make_one_surface_more(struct chart *chart, const struct source *source)
-{
-    put_baseline(chart, source, false, false);
-}
-
 /** What the shape of the parts does to the leading model's answer, and where it presses. */
 static void put_shape(struct chart *chart, const struct source *source)
 {
-    static const struct axis ways[][3] = {
-        {{QUANTITY_SHAPE_JOINT, false, 1}, {QUANTITY_JOINT, false, 1}, {QUANTITY_TCR, true, 1}},
-        {{QUANTITY_SHAPE_ECR, false, 1}, {QUANTITY_JOINT_ECR, false, 1}, {QUANTITY_ECR, false, 1}}};
-    const struct axis load = {QUANTITY_LOAD, false, load_of(source, source->results->baseline, false).scale};
+    static const enum quantity ways[][3] = {{QUANTITY_SHAPE_JOINT, QUANTITY_JOINT, QUANTITY_TCR},
+                                            {QUANTITY_SHAPE_ECR, QUANTITY_JOINT_ECR, QUANTITY_ECR}};
+    const struct asked load = axis_of(QUANTITY_LOAD, load_of(source, source->results->baseline, false).scale);
     const struct joint_shape *shape = source->baseline->shapes ? &source->baseline->shapes[source->leading] : NULL;
     const double *side_m = source->results->scene->joint.size_m;
     const double ring_m = hypot(side_m[0], side_m[1]) / 2 / JOINT_RINGS;
     if (!shape || !(shape->most > 0))
         return;
     for (int way = 0; way < 2; way++) {
-        const enum quantity whole = ways[way][0].quantity;
-        const bool made = computes(source, source->leading, ways[way][1].quantity);
+        const enum quantity whole = ways[way][0];
+        const bool made = computes(source, source->leading, ways[way][1]);
         if (!computes(source, source->leading, whole))
             continue;
         begin_panel(chart, source, QUANTITY_LOAD, whole,
                     SAY("panel.model\nmodel %s", model_rows[source->leading]->label));
         for (int flat = 0; flat < 2; flat++) {
-            struct axis axis[2] = {load, ways[way][flat == 0 ? 0 : made ? 1 : 2]};
-            axis[1].scale = scale_of(whole);
+            struct asked axis[2] = {load, axis_of(ways[way][flat == 0 ? 0 : made ? 1 : 2], scale_of(whole))};
+            axis[1].reciprocal = axis[1].quantity == QUANTITY_TCR;
             put_curve(chart, source, source->baseline, source->leading, axis,
                       (struct chart_curve){.legend = SAY("%s", flat ? "flat_parts" : "with_shape"),
                                            .colour = flat ? quiet : baseline_colour(source),
@@ -750,11 +733,10 @@ static void make_measured(struct chart *chart, const struct source *source)
     enum quantity quantity = results_measured_quantity(results);
     bool own = asked.quantity == quantity;
     if (!own)
-        asked = (struct asked){.quantity = quantity, .scale = 1};
+        asked = axis_of(quantity, 1);
     for (size_t k = 0, panels = 0; k < results->shown_count; k++) {
         const struct surface_record *record = &results->surfaces[results->shown[k]];
-        const struct axis axis[2] = {{QUANTITY_LOAD, false, asked_load_of(results, results->shown[k]).scale},
-                                     {quantity, asked.reciprocal, asked.scale}};
+        const struct asked axis[2] = {axis_of(QUANTITY_LOAD, asked_load_of(results, results->shown[k]).scale), asked};
         const char *title = results->usable_count > 1 ? short_name(source, record->summary.scene->name) : "";
         if (!results_measured(results, results->shown[k]))
             continue;
@@ -841,17 +823,17 @@ static void make_accuracy(struct chart *chart, const struct source *source)
 /* In the report's order; those of all surfaces come behind. */
 static const struct figure_row {
     const char *name;
-    void (*make)(struct chart *chart, const struct source *source); /* nothing: it is not called for */
+    void (*make)(struct chart *chart, const struct source *source); /* NULL: put_baseline(), of the contact */
     double panel_height;
-    bool shares, first_page, terminal;
+    bool whole, shares, first_page, terminal;
 } figure_rows[] = {
     {"answer", make_answer, .first_page = true, .terminal = true},
     {"surfaces-at-load", make_surfaces_at_load, .first_page = true},
     {"models", .make = make_models},
     {"surfaces", make_surfaces, .panel_height = 90, .shares = true},
     {"convergence", make_convergence, .panel_height = 90, .shares = true},
-    {"one-surface", make_one_surface, .panel_height = 190},
-    {"one-surface-more", make_one_surface_more, .panel_height = 190},
+    {"one-surface", .whole = true, .panel_height = 190},
+    {"one-surface-more", .panel_height = 190},
     {"joint", .make = make_joint},
     {"measured", .make = make_measured},
     {"direct", make_direct, .panel_height = 150, .shares = true, .terminal = true},
@@ -876,23 +858,23 @@ static void put_numbers(char *out, size_t size, const struct chart *chart)
     }
 }
 
-static void draw_file(const struct drawing *how, const char *name)
+static void draw_file(const struct source *source, const char *name)
 {
     struct text command = {0};
     text_add(&command, "load '%s.gp'\n", name);
-    gnuplot_send(how->task->gnuplot, text_string(&command));
+    gnuplot_send(source->task->gnuplot, text_string(&command));
     text_free(&command);
 }
 
 /** Writes the files of a chart with anything to see and has gnuplot draw it; with letters too for a `terminal`. */
-static void draw_one(struct figures *out, struct chart *chart, bool terminal, const struct drawing *how)
+static void draw_one(struct figures *out, struct chart *chart, bool terminal, const struct source *source)
 {
     struct text letters = {0};
     chart_end(chart);
-    if (chart->blocks > 0 && chart_write(chart, how->templates, how->directory) == STATUS_OK) {
-        draw_file(how, chart->name);
-        if (terminal && chart_script(&letters, chart, how->templates, how->task->terminal_size) == STATUS_OK)
-            gnuplot_send(how->task->gnuplot, text_string(&letters));
+    if (chart->blocks > 0 && chart_write(chart, source->templates, source->directory) == STATUS_OK) {
+        draw_file(source, chart->name);
+        if (terminal && chart_script(&letters, chart, source->templates, source->task->terminal_size) == STATUS_OK)
+            gnuplot_send(source->task->gnuplot, text_string(&letters));
         snprintf(out->figure[out->count].name, FIGURE_NAME, "%s", chart->name);
         out->figure[out->count].terminal = terminal;
         out->figure[out->count].notes = chart->notes;
@@ -913,13 +895,16 @@ void figures_map_name(char *out, size_t size, const char *surface)
 }
 
 /** Writes NAME.csv and NAME.gp of a map's heights with its contact, and of the pressure along a section. */
-static enum status_code write_map(const struct map_contact *contact, const struct material_pair *pair, const char *name,
-                                  const char *title, struct mustache_folder *templates, const char *directory)
+static enum status_code write_map(const struct surface_record *record, const char *name, const char *title,
+                                  const struct source *source)
 {
+    const struct map_contact *contact = &record->contact;
+    const struct material_pair *pair = &record->summary.pair;
     const size_t cells = contact->cells;
     const double side_m = (double)cells * contact->cell_m;
     const bool small = side_m < 1e-3; /* lengths from 1 mm on are in mm */
     const bool flows = contact->flowed > 0;
+    struct status *status = source->templates->status;
     const double length = small ? 1e6 : 1e3, cell = contact->cell_m * length,
                  stress = pair->unknown ? 1 : pair->effective_modulus_Pa * 1e-6;
     struct text script = {0}, data = {0};
@@ -944,11 +929,11 @@ static enum status_code write_map(const struct map_contact *contact, const struc
     if (view && flows)
         json_set(view, "hardness", pair->hardness_Pa / pair->effective_modulus_Pa * stress);
     enum status_code rc =
-        view ? mustache_file(&script, templates, "charts/map", view, chart_escape) : status_memory(templates->status);
+        view ? mustache_file(&script, source->templates, "charts/map", view, chart_escape) : status_memory(status);
     if (rc == STATUS_OK)
-        rc = text_save(&script, templates->status, "%s/%s.gp", directory, name);
+        rc = text_save(&script, status, "%s/%s.gp", source->directory, name);
     if (rc == STATUS_OK)
-        rc = text_save(&data, templates->status, "%s/%s.csv", directory, name);
+        rc = text_save(&data, status, "%s/%s.csv", source->directory, name);
     json_decref(view);
     text_free(&script);
     text_free(&data);
@@ -957,7 +942,7 @@ static enum status_code write_map(const struct map_contact *contact, const struc
 
 /** The contact of the first maps that are shown, as many as a page can hold: map-NAME, what may be in a file's name of
  * it, and a number where another one has that too. */
-static void draw_maps(struct figures *out, const struct source *source, const struct drawing *how)
+static void draw_maps(struct figures *out, const struct source *source)
 {
     const struct results *results = source->results;
     for (size_t k = 0, maps = 0; k < results->shown_count && maps < FIGURES_MAPS; k++) {
@@ -976,9 +961,8 @@ static void draw_maps(struct figures *out, const struct source *source, const st
         text_add(&at, "%s: ", record->summary.scene->name);
         number_format(&at, load.scale * results_operating_load(results, surface), 3);
         text_add(&at, " %s", load.unit);
-        if (write_map(&record->contact, &record->summary.pair, name, text_string(&at), how->templates,
-                      how->directory) == STATUS_OK)
-            draw_file(how, name);
+        if (write_map(record, name, text_string(&at), source) == STATUS_OK)
+            draw_file(source, name);
         out->figure[out->count++].map = surface + 1;
         text_free(&at);
     }
@@ -987,17 +971,20 @@ static void draw_maps(struct figures *out, const struct source *source, const st
 enum status_code figures_draw(struct figures *out, const struct results *results, const struct figures_task *task,
                               struct status *status)
 {
-    struct source source = {.results = results,
-                            .baseline = &results->surfaces[results->baseline],
-                            .leading = plan_leading_model(results->plan),
-                            .asked = asked_of(results),
-                            .words = task->words};
-    const struct heating_metal *metal = heating_metal_find(scene_softer(&source.baseline->summary.scene->bodies)->name);
     struct mustache_folder templates = {task->templates, ".gp", NULL, status};
     struct text directory = {0};
     text_add(&directory, "%s/figures", task->directory);
-    const struct drawing how = {task, &templates, text_string(&directory)};
-    source.hottest_C = fmin(metal ? metal->melting_K - 273.15 : NAN, 1000);
+    const struct surface_record *baseline = &results->surfaces[results->baseline];
+    const struct heating_metal *metal = heating_metal_find(scene_softer(&baseline->summary.scene->bodies)->name);
+    const struct source source = {.results = results,
+                                  .baseline = baseline,
+                                  .leading = plan_leading_model(results->plan),
+                                  .asked = asked_of(results),
+                                  .hottest_C = fmin(metal ? metal->melting_K - 273.15 : NAN, 1000),
+                                  .words = task->words,
+                                  .task = task,
+                                  .templates = &templates,
+                                  .directory = text_string(&directory)};
     for (const struct figure_row *row = figure_rows; row < figure_rows + FIGURE_ROWS && status->code == STATUS_OK;
          row++) {
         if (task->cost != (row->make == make_accuracy) || (task->brief && !row->first_page))
@@ -1005,8 +992,11 @@ enum status_code figures_draw(struct figures *out, const struct results *results
         struct chart chart = chart_make(row->name);
         chart.panel_height = row->panel_height;
         chart.shares = row->shares;
-        row->make(&chart, &source);
-        draw_one(out, &chart, row->terminal && task->terminal_size, &how);
+        if (row->make)
+            row->make(&chart, &source);
+        else
+            put_baseline(&chart, &source, false, row->whole);
+        draw_one(out, &chart, row->terminal && task->terminal_size, &source);
     }
     for (int p = 0; p < 2 * QUANTITY_COUNT && !task->cost && !task->brief && status->code == STATUS_OK; p++) {
         const struct quantity_panel *panel = &quantity_rows[p / 2].panels[p % 2];
@@ -1014,10 +1004,10 @@ enum status_code figures_draw(struct figures *out, const struct results *results
             continue;
         struct chart chart = chart_make(panel->file);
         make_all_surfaces(&chart, &source, (enum quantity)(p / 2), panel);
-        draw_one(out, &chart, false, &how);
+        draw_one(out, &chart, false, &source);
     }
     if (!task->cost && !task->brief && status->code == STATUS_OK)
-        draw_maps(out, &source, &how);
+        draw_maps(out, &source);
     text_free(&directory);
     mustache_folder_free(&templates);
     return status->code;
