@@ -2,6 +2,7 @@
 /* The findings of chapter 6 on curves made up to order: every count worked out by hand, model by model. */
 #include "base/number_format.h"
 #include "made_up_results.h"
+#include "report/report.h"
 #include "support.h"
 
 static struct made_up made;
@@ -38,8 +39,11 @@ static void assert_found(const char *name, const char *expected)
         fail_msg("%s: %s", name, found ? "found" : "not found");
     if (!found)
         return;
-    text_add(said, "%lld of %lld", (long long)json_integer_value(json_object_get(found, "good")),
-             (long long)json_integer_value(json_object_get(found, "all")));
+    const json_int_t good = json_integer_value(json_object_get(found, "good")),
+                     all = json_integer_value(json_object_get(found, "all"));
+    assert_int_equal(json_is_true(json_object_get(found, "holds")), good == all);
+    assert_int_equal(json_is_true(json_object_get(found, "fails")), 2 * good < all);
+    text_add(said, "%lld of %lld", (long long)good, (long long)all);
     if (json_object_get(found, "ties"))
         text_add(said, ", %lld alike", (long long)json_integer_value(json_object_get(found, "ties")));
     json_array_foreach(json_object_get(found, "numbers"), k, number)
@@ -76,6 +80,8 @@ PLACED(test_stacked_scales)
     assert_found("magnitude", "2 of 2: 5.0; 5.0");
     assert_found("spread", NULL);
     assert_found("equal_steps", "2 of 2: 0.40 to 0.48; 0.40 to 0.48"); /* factors of 3 and 2.5 */
+    assert_found("linear", "3 of 3: 1.0; 1.0");                        /* where at least five loads tell it */
+    assert_found("scale_dependence", "6 of 6: 2.0; 2.0");
 }
 
 /* JG has 0.8 and multiscale plastic 2 times the elastic area: 2.5 in area and resistance. */
@@ -90,6 +96,9 @@ PLACED(test_families)
     assert_found("sensitive", NULL);
     assert_found("together", "0 of 1: 0.48");
     assert_found("smoothest", "0 of 1: 0");
+    assert_found("beta", "3 of 3: 6.0");
+    assert_found("beta_rank", NULL); /* nothing to compare */
+    assert_found("statistical_gap", "0 of 3: −3.0");
 }
 
 /** JG's resistance of gamma is 5 times the multiscale one, and its adjusted gap that of multiscale plastic. */
@@ -135,6 +144,68 @@ PLACED(test_gaps_turned_round)
     assert_found("smoothest", "0 of 1: 100"); /* it is not alone */
     assert_found("adjustment", "0 of 3");
     assert_found("separation_rank", "0 of 2");
+}
+
+/** The rougher the surface, the larger its area, which is the same elastic and plastic. */
+static void turn_areas(struct surface_record *record, size_t index)
+{
+    static const double area[MADE_UP_USABLE] = {500, 200, 1000};
+    for (size_t m = 0; index < MADE_UP_USABLE && m < model_count; m++)
+        for (size_t i = 0; record->curves[m].exists && i < MADE_UP_LOADS; i++) {
+            double *value = record->curves[m].points[i].value;
+            value[QUANTITY_AREA] = fmin(1, area[index] * value[QUANTITY_LOAD]);
+        }
+}
+
+PLACED(test_areas_turned_round)
+{
+    make("multiscale-elastic", "multiscale-plastic", turn_areas);
+    assert_found("area_rank", "0 of 30");
+    assert_found("plastic_area", NULL);
+}
+
+/** What the thesis says of stiffness, of a shoulder at 3 times the load, and of its smoothest surface. */
+static void as_the_thesis_has_it(struct surface_record *record, size_t index)
+{
+    for (size_t m = 0; index < MADE_UP_USABLE && m < model_count; m++) {
+        struct model_curve *curve = &record->curves[m];
+        bool statistical = model_rows[m]->asperity_model;
+        curve->beta = statistical ? -1 : NAN; /* 0.5 σ left */
+        if (model_rows[m]->stacks_scales && !model_rows[m]->plastic)
+            curve->kink.load = 3 * record->curves[made_up_model("multiscale-plastic")].full_load;
+        for (size_t i = 0; curve->exists && i < curve->count; i++) {
+            double *value = curve->points[i].value;
+            value[QUANTITY_STIFFNESS] = statistical ? 1e12 : 4e12;
+            if (statistical && index == 1)
+                value[QUANTITY_ADJUSTED] += 1e-5;
+            if (statistical && index == 0)
+                value[QUANTITY_ECR] *= 0.5; /* 1.5 times alpha's */
+        }
+    }
+}
+
+PLACED(test_findings_as_the_thesis_has_them)
+{
+    const struct report_options how = {PROJECT_SOURCE "/templates", PROJECT_SOURCE "/surfaces/chapter6/report.md", 0};
+    struct text *out = support_text();
+    made_up_make(&made, as_the_thesis_has_it);
+    for (size_t i = 0; i < MADE_UP_USABLE; i++)
+        for (size_t m = 0; m < model_count; m++)
+            if (made_up_surface(&made, i)->models[m])
+                made_up_surface(&made, i)->models[m]->law_factor = i == 0 ? 0.25 : 3;
+    made_up_again(&made);
+    assert_found("statistical_gap", "6 of 6: 0.50; 0.50");
+    assert_found("stiffer", "6 of 6: 4.0; 4.0");
+    assert_found("law", "6 of 6: 3.0 to 4.0; 3.0 to 4.0");
+    assert_found("smoothest", "2 of 2: 100; 100");
+    assert_found("shoulder", "3 of 3: 3.0");
+    assert_found("together", "2 of 2: 0.18; 0.18");
+    expect_ok(report_markdown, out, made.view, &how);
+    expect_parts(text_string(out), "| GW, thesis | 153.7 | 5.2 | 8.8 | 6.8 |\n| GW, here | −1.00 | −1.00 | −1.00 |\n",
+                 "| JG, here | −1.00 | −1.00 | −1.00 |\n");
+    end(NULL); /* without stiffness */
+    made_up_make_of(&made, made_up_models(), ~EFFECT_BIT(EFFECT_STIFFNESS) & ((1u << EFFECT_COUNT) - 1), NULL);
+    assert_found("stiffer", NULL);
 }
 
 /* One point of the rougher neighbour out of order in each quantity. */
