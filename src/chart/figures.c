@@ -10,7 +10,6 @@
 #include "results/accuracy.h"
 #include "results/asked.h"
 #include "results/comparison.h"
-#include "results/known.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

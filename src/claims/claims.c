@@ -7,7 +7,6 @@
 #include "joint/heating.h"
 #include "output/record.h"
 #include "results/accuracy.h"
-#include "results/known.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

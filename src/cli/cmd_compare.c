@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* `compare`: finished reports side by side. */
 #include "cli/command.h"
-#include "report/html.h"
 #include "report/report.h"
 
 #include <stdio.h>

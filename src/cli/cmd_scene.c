@@ -4,7 +4,7 @@
 #include "base/threads.h"
 #include "base/version.h"
 #include "cli/command.h"
-#include "report/export.h"
+#include "report/report.h"
 #include "run/messages.h"
 
 #include <signal.h>

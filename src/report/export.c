@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "report/export.h"
+#include "report/report.h"
 
 #include "base/mustache.h"
 #include "report/view.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "report/html.h"
+#include "report/report.h"
 
 #include "base/mustache.h"
 #include "output/json.h"

@@ -2,7 +2,6 @@
 #include "report/report.h"
 
 #include "base/mustache.h"
-#include "report/html.h"
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>

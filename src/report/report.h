@@ -4,6 +4,7 @@
 #define REPORT_REPORT_H
 
 #include "base/text.h"
+#include "scene/scene.h"
 #include <jansson.h>
 
 /** How a report is written. */
@@ -35,5 +36,31 @@ enum { REPORTS_COMPARED = 20 /* side by side at most; more are ranked alone */ }
  * damaged, another program's or larger than LIMIT_RESULTS_BYTES, or all together more than LIMIT_RESULTS_VALUES;
  * STATUS_SCAN where no number stands in two reports, or more differs than LIMIT_COMPARED; STATUS_MEMORY. */
 MUST_CHECK enum status_code report_compare(json_t **out, char *const *paths, size_t count, struct status *status);
+
+/* ---- HTML, made from Markdown: charts inlined, in the skeleton templates/page.html ---- */
+
+/** Renders `markdown` (GitHub tables, no raw HTML) to one self-contained page in `out`. An image
+ * `![alt](figures/x.svg)` becomes the picture directory/figures/x.svg, one that stands outside of words a <figure> with
+ * the alt text as caption. Any other image leaves its alt text, a link by another scheme than http, https or mailto its
+ * words. Sections make the contents. `templates` is the directory of page.html. Errors: STATUS_IO, those of the
+ * template, STATUS_MEMORY. */
+MUST_CHECK enum status_code html_render(struct text *out, const char *markdown, const char *title,
+                                        const char *directory, const char *templates, struct status *status);
+
+/** Adds the name by which a Markdown link leads to a heading of these words, tags apart: "all-surfaces". */
+void html_anchor(struct text *out, const char *heading);
+
+/* ---- OUT/export/: tables of conductance over pressure for other programs. Every file NAME.ENDING of templates/export
+ * is a program NAME, filled for each surface from its item of the view's `exports` ---- */
+
+/** Is there a template for every program that the scene names, and a material on every surface? Nothing is asked of a
+ * scene that names none. Errors: STATUS_SCENE: a program that is not there (those there are), none named, a surface
+ * without material; STATUS_IO: templates/export cannot be read. */
+MUST_CHECK enum status_code export_check(const struct scene *scene, const char *templates, struct status *status);
+
+/** Writes export/SURFACE.NAME.ENDING below `directory`, which has an export/, and names them in the view. Errors: of a
+ * template, STATUS_IO, STATUS_MEMORY. */
+MUST_CHECK enum status_code export_write(json_t *view, const struct scene *scene, const char *templates,
+                                         const char *directory, struct status *status);
 
 #endif

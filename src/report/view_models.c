@@ -5,7 +5,7 @@
 #include "answers/direct_study.h"
 #include "base/constants.h"
 #include "output/json.h"
-#include "report/html.h"
+#include "report/report.h"
 #include <math.h>
 
 static bool wants(const struct view_source *source, enum quantity quantity)

@@ -3,7 +3,6 @@
 #include "report/view.h"
 
 #include "base/number_format.h"
-#include "results/known.h"
 #include <math.h>
 #include <string.h>
 

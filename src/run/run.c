@@ -10,10 +10,9 @@
 #include "output/exchange.h"
 #include "output/json.h"
 #include "output/tables.h"
-#include "report/export.h"
 #include "report/report.h"
 #include "report/view.h"
-#include "results/known.h"
+#include "results/asked.h"
 #include "run/all_surfaces.h"
 #include "run/messages.h"
 #include <jansson.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The page: structure, contents, charts, and that nothing in it acts or leads away. */
-#include "report/html.h"
+#include "report/report.h"
 #include "support.h"
 
 #include <nettle/base64.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What is known of a surface in the user's units, and what surfaces are ranked by. */
 #include "made_up_results.h"
-#include "results/known.h"
+#include "results/asked.h"
 #include "support.h"
 
 static struct made_up made;
