@@ -1012,33 +1012,25 @@ enum status_code figures_draw(struct figures *out, const struct results *results
     return status->code;
 }
 
-enum status_code figures_check(const struct figures *figures, const char *directory, struct status *status)
+enum status_code figures_finish(struct text *letters, const struct figures *figures, const struct figures_task *task,
+                                struct status *status)
 {
-    for (size_t i = 0; i < figures->count; i++) {
+    enum status_code rc = gnuplot_finish(task->gnuplot, status);
+    for (size_t i = 0; i < figures->count && rc == STATUS_OK; i++) {
+        const char *name = figures->figure[i].name;
         struct text file = {0};
         struct stat drawn;
-        text_add(&file, "%s/figures/%s.svg", directory, figures->figure[i].name);
-        bool good = !file.failed && stat(text_string(&file), &drawn) == 0 && drawn.st_size > 0;
+        text_add(&file, "%s/figures/%s.svg", task->directory, name);
+        if (file.failed || stat(text_string(&file), &drawn) != 0 || drawn.st_size == 0)
+            rc = status_fail(status, STATUS_CHART,
+                             "gnuplot did not draw '%s.svg' and did not say why: see whether it runs by itself "
+                             "('gnuplot -d')",
+                             name);
         text_free(&file);
-        if (!good)
-            return status_fail(status, STATUS_CHART,
-                               "gnuplot did not draw '%s.svg' and did not say why: see whether it runs by itself "
-                               "('gnuplot -d')",
-                               figures->figure[i].name);
+        text_add(&file, "%s/figures/%s.txt", task->directory, name);
+        if (rc == STATUS_OK && figures->figure[i].terminal)
+            rc = gnuplot_take_text(letters, text_string(&file), status);
+        text_free(&file);
     }
-    return STATUS_OK;
-}
-
-enum status_code figures_letters(struct text *out, const struct figures *figures, const char *directory,
-                                 struct status *status)
-{
-    enum status_code rc = STATUS_OK;
-    for (size_t i = 0; i < figures->count && rc == STATUS_OK; i++)
-        if (figures->figure[i].terminal) {
-            struct text file = {0};
-            text_add(&file, "%s/figures/%s.txt", directory, figures->figure[i].name);
-            rc = gnuplot_take_text(out, text_string(&file), status);
-            text_free(&file);
-        }
     return rc;
 }

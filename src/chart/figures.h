@@ -63,17 +63,14 @@ struct figures_task {
  * for others; cut to the size. */
 void figures_map_name(char *out, size_t size, const char *surface);
 /** Adds to `out`: writes DIRECTORY/figures/NAME.csv and NAME.gp of those that what ran calls for, and has gnuplot draw
- * each as SVG while this goes on: gnuplot_finish() says how that went. Errors: STATUS_IO, STATUS_MEMORY, those of
+ * each as SVG while this goes on: figures_finish() says how that went. Errors: STATUS_IO, STATUS_MEMORY, those of
  * templates. */
 MUST_CHECK enum status_code figures_draw(struct figures *out, const struct results *results,
                                          const struct figures_task *task, struct status *status);
 
-/** Is every chart drawn, once gnuplot has finished? Error: STATUS_CHART: one is not, though gnuplot did not complain.
- */
-MUST_CHECK enum status_code figures_check(const struct figures *figures, const char *directory, struct status *status);
-
-/** Takes those drawn with letters, once gnuplot has finished. Errors: STATUS_IO, STATUS_MEMORY. */
-MUST_CHECK enum status_code figures_letters(struct text *out, const struct figures *figures, const char *directory,
-                                            struct status *status);
+/** Waits for gnuplot, and takes what was drawn with letters. Errors: those of gnuplot_finish(); STATUS_CHART: a chart
+ * is not drawn, though gnuplot did not complain; STATUS_IO, STATUS_MEMORY. */
+MUST_CHECK enum status_code figures_finish(struct text *letters, const struct figures *figures,
+                                           const struct figures_task *task, struct status *status);
 
 #endif

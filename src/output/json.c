@@ -387,7 +387,7 @@ static json_t *refused_json(const struct results *results)
 
 json_t *json_outline(const struct results *results)
 {
-    json_t *limits = tables_limits_json(results), *missed = json_array(), *undecided = json_array(), *limit;
+    json_t *limits = tables_json(results, TABLES_LIMITS), *missed = json_array(), *undecided = json_array(), *limit;
     size_t index;
     json_array_foreach(limits, index, limit)
     {
@@ -398,8 +398,8 @@ json_t *json_outline(const struct results *results)
             json_array_append(undecided, limit);
     }
     return json_pack("{s:o, s:o, s:o, s:o, s:o}", "refused", refused_json(results), "answers",
-                     tables_answers_json(results), "limits", limits, "missed_limits", missed, "undecided_limits",
-                     undecided);
+                     tables_json(results, TABLES_ANSWERS), "limits", limits, "missed_limits", missed,
+                     "undecided_limits", undecided);
 }
 
 /** Adds one value; takes it over. */
@@ -488,8 +488,8 @@ enum status_code json_write(const struct results *results, const struct comparis
               print(file, "],\n\"refused\": ", refused_json(results)) &&
               print(file, ",\n\"comparison\": ", comparison_json(results, comparison)) &&
               (!scene->passed_over || print(file, ",\n\"passed_over\": ", json_lines(scene->passed_over))) &&
-              (scene->target_count == 0 || print(file, ",\n\"answers\": ", tables_answers_json(results))) &&
-              (scene->limit_count == 0 || print(file, ",\n\"limits\": ", tables_limits_json(results))) &&
+              (scene->target_count == 0 || print(file, ",\n\"answers\": ", tables_json(results, TABLES_ANSWERS))) &&
+              (scene->limit_count == 0 || print(file, ",\n\"limits\": ", tables_json(results, TABLES_LIMITS))) &&
               (results->direct_count == 0 || print(file, ",\n\"direct\": ", studies_json(results))) &&
               print(file, ",\n\"work\": ", work_json(results)) && fputs("}\n", file) >= 0;
     if ((fclose(file) != 0 || !ok) && status->code == STATUS_OK)

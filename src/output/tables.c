@@ -626,24 +626,12 @@ static void fill_direct_ratio(struct table *table, const struct results *results
         }
 }
 
-/** All rows that `fill` makes of the surfaces, as objects. */
-static json_t *objects_of(const struct results *results,
-                          void (*fill)(struct table *table, const struct results *results, size_t index))
+json_t *tables_json(const struct results *results, enum tables_objects what)
 {
     struct table table = {.objects = json_array()};
     for (size_t i = 0; i < results->surface_count; i++)
-        fill(&table, results, i);
+        (what == TABLES_ANSWERS ? fill_answers : fill_limits)(&table, results, i);
     return table.objects;
-}
-
-json_t *tables_answers_json(const struct results *results)
-{
-    return objects_of(results, fill_answers);
-}
-
-json_t *tables_limits_json(const struct results *results)
-{
-    return objects_of(results, fill_limits);
 }
 
 enum status_code tables_write(const struct results *results, const char *directory, struct status *status)

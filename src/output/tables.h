@@ -26,9 +26,9 @@ MUST_CHECK enum status_code curve_tables_close(struct curve_tables *tables, stru
  */
 MUST_CHECK enum status_code tables_write(const struct results *results, const char *directory, struct status *status);
 
-/** The answers to the scene's targets, and how every surface stands to every limit, as objects. */
-json_t *tables_answers_json(const struct results *results);
-json_t *tables_limits_json(const struct results *results);
+/** The answers to the scene's targets, or how every surface stands to every limit, as objects. */
+enum tables_objects { TABLES_ANSWERS, TABLES_LIMITS };
+json_t *tables_json(const struct results *results, enum tables_objects what);
 
 /** What is said of a surface, of its repeated scans and of an answer, in data/ and in results.json. */
 extern const struct record_field surface_fields[], repeats_fields[], answer_fields[], limit_fields[];

@@ -38,46 +38,10 @@ void view_number(json_t *out, const char *name, double value, int digits, const 
     set_text(out, name, &text);
 }
 
-void view_interval(json_t *out, const char *name, double low, double high, int digits)
-{
-    struct text text = {0}, first = {0}, last = {0};
-    number_format(&first, low, digits);
-    number_format(&last, high, digits);
-    if (isfinite(low) != isfinite(high))
-        text_add(&text, "%s\u00a0%s", isfinite(low) ? "≥" : "≤", text_string(isfinite(low) ? &first : &last));
-    else if (isfinite(low) && strcmp(text_string(&first), text_string(&last)) != 0)
-        text_add(&text, "%s\u00a0…\u00a0%s", text_string(&first), text_string(&last));
-    text_free(&first);
-    text_free(&last);
-    set_text(out, name, &text);
-}
-
 void view_range(json_t *out, const char *name, double least, double most)
 {
     if (isfinite(least) && isfinite(most))
         json_object_set_new(out, name, json_pack("{s:f, s:f}", "least", least, "most", most));
-}
-
-void view_uncertain(json_t *out, const char *name, double value, double error)
-{
-    if (isfinite(value))
-        json_object_set_new(out, name, json_pack("{s:f, s:o}", "value", value, "error", json_finite(error)));
-}
-
-void view_columns(json_t *heads, struct words *words, const struct record_field *fields, unsigned when)
-{
-    for (; fields->key; fields++)
-        if (fields->digits > 0 && (fields->when & (when | RECORD_CSV)))
-            view_text(view_item(heads), "label", words_say(words, "column.%s", fields->key));
-}
-
-void view_cells(json_t *cells, const struct record_field *fields, unsigned when, const void *of)
-{
-    for (; fields->key; fields++)
-        if (fields->digits > 0 && (fields->when & (when | RECORD_CSV)))
-            view_number(view_item(cells), "text",
-                        *(const double *)(const void *)((const char *)of + fields->offset) / record_unit(fields),
-                        fields->digits, "");
 }
 
 void view_some(json_t *out, const char *name, size_t count)

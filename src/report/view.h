@@ -48,16 +48,8 @@ void view_text(json_t *out, const char *name, const char *string);
 /** Sets a number as printed: `digits` significant ones, with its unit behind it ("": none); nothing where it is not
  * finite. */
 void view_number(json_t *out, const char *name, double value, int digits, const char *unit);
-/** "0.15 … 1.1": nothing where an end is not known or both read alike. */
-void view_interval(json_t *out, const char *name, double low, double high, int digits);
-/** Sets two numbers, for templates to word: `least` and `most`, or `value` and `error`; nothing where least, most or
- * value is not finite. */
+/** Sets two numbers, `least` and `most`, for templates to word; nothing where one is not finite. */
 void view_range(json_t *out, const char *name, double least, double most);
-void view_uncertain(json_t *out, const char *name, double value, double error);
-/** The heads of the columns that a record has in a table, of fields that are in data/ under the conditions `when`; and
- * the cells below. */
-void view_columns(json_t *heads, struct words *words, const struct record_field *fields, unsigned when);
-void view_cells(json_t *cells, const struct record_field *fields, unsigned when, const void *of);
 /** Sets a count; nothing of 0. */
 void view_some(json_t *out, const char *name, size_t count);
 /** A new object with `count` and whether it is `one`, which `only` (NULL: it has no name) is the `surface` of; nothing

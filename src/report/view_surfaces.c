@@ -14,8 +14,25 @@ void view_law(json_t *out, const struct power_law *law)
 {
     if (law->found == POWER_LAW_BAND_NONE)
         return;
-    view_uncertain(out, "gamma", law->gamma, law->gamma_error);
+    if (isfinite(law->gamma))
+        json_object_set_new(out, "gamma",
+                            json_pack("{s:f, s:o}", "value", law->gamma, "error", json_finite(law->gamma_error)));
     json_set(out, "alpha", law->alpha);
+}
+
+/** A row of the table of surfaces: the numbers of the record that data/ has under the conditions `when`, or (NULL) the
+ * columns' heads. */
+static void put_row(json_t *cells, struct words *words, unsigned when, const struct surface_summary *of)
+{
+    for (const struct record_field *field = surface_fields; field->key; field++) {
+        const double *value = of ? (const void *)((const char *)of + field->offset) : NULL;
+        if (field->digits == 0 || !(field->when & (when | RECORD_CSV)))
+            continue;
+        if (value)
+            view_number(view_item(cells), "text", *value / record_unit(field), field->digits, "");
+        else
+            view_text(view_item(cells), "label", words_say(words, "column.%s", field->key));
+    }
 }
 
 /** What programs of finite elements ask of a pair of rough surfaces beside its record, at the operating load. */
@@ -39,7 +56,7 @@ static void put_surface(json_t *row, const struct view_source *source, size_t su
     const double wavelength_m = isfinite(shared_m) ? shared_m : law->wavelength_m;
     json_object_update_new(row, record_json(surface_fields, s));
     view_text(row, "surface", view_name(source, surface));
-    view_cells(view_list(row, "cells"), surface_fields, tables_surface_when(source->results), s);
+    put_row(view_list(row, "cells"), source->words, tables_surface_when(source->results), s);
     view_flag(row, "map", s->has_map);
     view_flag(row, "several_maps", s->has_map && s->repeats.scans > 1);
     json_set_count(row, "scans", s->scans);
@@ -121,7 +138,7 @@ void view_surfaces(json_t *out, const struct view_source *source)
     const struct results *results = source->results;
     const struct scene *scene = results->scene;
     json_t *item = view_part(out, "surfaces"), *rows = view_list(item, "rows");
-    view_columns(view_list(item, "heads"), source->words, surface_fields, tables_surface_when(results));
+    put_row(view_list(item, "heads"), source->words, tables_surface_when(results), NULL);
     view_flag(item, "gaps", plan_quantities(source->results->plan) & QUANTITY_BIT(QUANTITY_JOINT));
     size_t scans = 0, of_maps = 0, periodic = 0, windowed = 0, lawless = 0, last_lawless = 0;
     bool has_maps = false, has_lay = false;

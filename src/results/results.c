@@ -6,28 +6,22 @@
 #include <stdlib.h>
 #include <string.h>
 
-/** Models that stack scales and run, before `model`. */
-static size_t stacking_before(const struct plan *plan, size_t model)
+/** Which of all curves of the sweeps it is, of each value those of the models that stack scales. */
+static size_t curve_of(int sweep, size_t model, size_t value)
 {
-    size_t before = 0;
-    for (size_t m = 0; m < model; m++)
-        before += plan_runs_model(plan, m) && model_rows[m]->stacks_scales;
-    return before;
-}
-
-static size_t curves_before(const struct plan *plan, int sweep)
-{
-    size_t curves = 0;
+    size_t values = value, before = 0, stacking = 0;
     for (int s = 0; s < sweep; s++)
-        curves += convergence_sweeps[s].count * stacking_before(plan, model_count);
-    return curves;
+        values += convergence_sweeps[s].count;
+    for (size_t m = 0; m < model_count; m++) {
+        before += m < model && model_rows[m]->stacks_scales;
+        stacking += model_rows[m]->stacks_scales;
+    }
+    return values * stacking + before;
 }
 
 const double *results_sweep(const struct results *results, enum convergence_sweep sweep, size_t model, size_t value)
 {
-    const struct plan *plan = results->plan;
-    size_t before = curves_before(plan, (int)sweep) + value * stacking_before(plan, model_count);
-    return results->convergence + (before + stacking_before(plan, model)) * results->scene->convergence.scales;
+    return results->convergence + curve_of((int)sweep, model, value) * results->scene->convergence.scales;
 }
 
 double results_sweep_load(const struct results *results, size_t model)
@@ -40,7 +34,7 @@ double results_sweep_load(const struct results *results, size_t model)
 
 size_t results_sweep_size(const struct results *results)
 {
-    return curves_before(results->plan, CONVERGENCE_SWEEP_COUNT) * results->scene->convergence.scales;
+    return curve_of(CONVERGENCE_SWEEP_COUNT, 0, 0) * results->scene->convergence.scales;
 }
 
 size_t results_sweep_scales(size_t *index, size_t most, size_t scales)

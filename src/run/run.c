@@ -268,8 +268,7 @@ static enum status_code write_all(struct run *run, struct run_outcome *out, stru
                   &run->prepared.words, status) != STATUS_OK)
         return status->code;
     out->times.tables = lap(&last);
-    if (gnuplot_finish(&run->gnuplot, status) != STATUS_OK || figures_check(&figures, staging, status) != STATUS_OK ||
-        figures_letters(&out->charts, &figures, staging, status) != STATUS_OK)
+    if (figures_finish(&out->charts, &figures, &drawing, status) != STATUS_OK)
         return status->code;
     out->times.gnuplot = lap(&last);
     char *own = !options->template && run->scene->template ? scene_file_path(run->scene, run->scene->template) : NULL;
