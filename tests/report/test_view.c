@@ -239,26 +239,6 @@ TEST_OF_PLAIN(a_target_is_answered_in_newtons)
     report_says("*alpha* needs at most 10.0\u00a0N");
 }
 
-/** The surfaces are alike: not told apart. */
-static void make_alike(struct surface_record *record, size_t index)
-{
-    if (index < MADE_UP_USABLE)
-        for (size_t m = 0; m < model_count; m++)
-            for (size_t i = 0; record->curves[m].exists && i < MADE_UP_LOADS; i++)
-                record->curves[m].points[i].value[QUANTITY_ECR] =
-                    (1 + 0.01 * (double)index) * 1e-14 / record->curves[m].points[i].value[QUANTITY_LOAD];
-}
-
-TEST_WITH(surfaces_within_their_scatter_do_not_differ_significantly, NULL, free_made)
-{
-    made_up_make_of(&made, made_up_models(), PLAIN, make_alike);
-    assert_non_null(claim_of("same"));
-    assert_null(claim_of("best"));
-    assert_string_equal(view_at(made.view, "rows.0.letters"), "a"); /* beta's and alpha's */
-    assert_string_equal(view_at(made.view, "rows.1.letters"), "a");
-    report_says("has the best contact resistance, but not significantly better than any other (p ≥");
-}
-
 TEST_OF_PLAIN(names_from_outside_mean_nothing)
 {
     static char hostile[] = "a*b|<script>`x`[l](http://e)\x1b[2J";
@@ -273,26 +253,6 @@ TEST_OF_WHOLE(findings_are_told)
 }
 
 /* ---- Sentences, each beside an input that it is not true of ---- */
-
-/** Nothing is known of how far another scan of the surface would be off. */
-static void forget_scatter(struct surface_record *record, size_t index)
-{
-    struct estimate none[CURVE_ESTIMATES];
-    for (size_t e = 0; e < CURVE_ESTIMATES; e++)
-        none[e] = estimate_none;
-    for (size_t m = 0; index < MADE_UP_USABLE && m < model_count; m++)
-        if (record->summary.models[m])
-            expect_ok(curve_summary_put_estimates, record->summary.models[m], none);
-}
-
-TEST_OF_PLAIN(the_ranking_names_quantity_and_who_was_tested)
-{
-    report_says("*alpha* has a significantly better contact resistance than the next, *beta*");
-    forget_scatter(&made.surfaces[1], 1);
-    made_up_again(&made);
-    assert_null(claim_of("best")); /* nothing is known of alpha's */
-    report_lacks("than the next, *alpha*");
-}
 
 /** At the middle load: load over hardness on every surface, and what differs in resistance. */
 static void press_into_hardness(struct surface_record *record, size_t index)
@@ -321,20 +281,6 @@ TEST_WITH(an_area_that_cannot_differ_is_not_ranked_by_something_else, NULL, free
         made_up_surface(&made, i)->pair.hardness_Pa *= 2; /* alike by chance */
     made_up_again(&made);
     assert_null(claim_of("area-pressed"));
-}
-
-TEST_OF_PLAIN(too_few_spots_are_told)
-{
-    set_target();
-    struct answer *leading = answers + plan_leading_model(&made.plan);
-    for (size_t i = 0; i < MADE_UP_USABLE; i++)
-        leading[i * model_count].spots_per_m2 = 1.2e6;
-    assert_says_page("Few metal spots carry the load** on alpha, beta and 1 more, about 1, so", "less than one");
-    leading[0].spots_per_m2 = 0.2e6;
-    assert_says_page("Few metal spots carry the load** on alpha, beta and 1 more, about 1, so", "less than one");
-    free_made(NULL);
-    made_up_make(&made, NULL); /* without a target those where the page stands: 150 to 1125 on a square metre */
-    assert_says_page("the models leave less than one metal spot on alpha, beta and 1 more", "about");
 }
 
 TEST_OF_PLAIN(a_limit_has_a_column_and_a_third_is_a_claim)
