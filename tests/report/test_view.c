@@ -254,35 +254,6 @@ TEST_OF_WHOLE(findings_are_told)
 
 /* ---- Sentences, each beside an input that it is not true of ---- */
 
-/** At the middle load: load over hardness on every surface, and what differs in resistance. */
-static void press_into_hardness(struct surface_record *record, size_t index)
-{
-    for (size_t m = 0; index < MADE_UP_USABLE && m < model_count; m++)
-        for (size_t i = 0; record->curves[m].exists && i < MADE_UP_LOADS; i++) {
-            double *value = record->curves[m].points[i].value;
-            value[QUANTITY_AREA] = fmin(1, 1e11 * value[QUANTITY_LOAD] / 2.84e8);
-        }
-}
-
-TEST_WITH(an_area_that_cannot_differ_is_not_ranked_by_something_else, NULL, free_made)
-{
-    made_up_make_of(&made, made_up_models(), PLAIN, press_into_hardness);
-    set_target();
-    assert_says_page("*alpha* has a significantly better contact resistance", "cannot differ");
-    target.quantity = QUANTITY_AREA;
-    target.how = quantity_rows[QUANTITY_AREA].asked;
-    assert_says_page("The contact area is load over hardness here, so the surfaces cannot differ in it.", "better");
-    double *area = &made_up_surface(&made, 2)->models[plan_leading_model(&made.plan)]->operating.value[QUANTITY_AREA];
-    *area *= 1.0001; /* pressed as far as hardness lets them, which is never quite */
-    made_up_again(&made);
-    assert_non_null(claim_of("area-pressed"));
-    *area /= 1.0001;
-    for (size_t i = 0; i < MADE_UP_USABLE; i++)
-        made_up_surface(&made, i)->pair.hardness_Pa *= 2; /* alike by chance */
-    made_up_again(&made);
-    assert_null(claim_of("area-pressed"));
-}
-
 TEST_OF_PLAIN(a_limit_has_a_column_and_a_third_is_a_claim)
 {
     static const enum limit_verdict verdicts[][MADE_UP_USABLE] = {{LIMIT_MET, LIMIT_UNDECIDED, LIMIT_MISSED},

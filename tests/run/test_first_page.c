@@ -174,23 +174,6 @@ TEST_IN_PLACE(a_limit_says_what_is_asked)
     }
 }
 
-/** "Models differ on roughness" is said only of surfaces that differ in roughness, not of eight sets of equally rough
- * ones, whose Rq differs by chance. */
-TEST_IN_PLACE(test_order_by_roughness)
-{
-    directory_write(place, "same/scene.yaml",
-                    "models: [multiscale, statistical]\nmaterial: tin\nload: {values: [1e-4]}\n"
-                    "effects: [separation, electrical]\n");
-    for (unsigned long seed = 0; seed < 9; seed++) {
-        pipeline_rough(place, "same/a.csv", 160, 0.1, 100 + 3 * seed);
-        pipeline_rough(place, "same/b.csv", 160, seed == 8 ? 0.4 : 0.1, 101 + 3 * seed);
-        pipeline_rough(place, "same/c.csv", 160, seed == 8 ? 1.5 : 0.1, 102 + 3 * seed);
-        assert_int_equal(pipeline_run(place, "same", "out", 1), 0);
-        char *page = directory_read(place, "out/report.md");
-        assert_true(!strstr(page, "Models differ on roughness") || seed == 8);
-    }
-}
-
 /* --brief gives the first page to the byte, its figures only, and the same data. */
 TEST_IN_PLACE(test_brief)
 {
