@@ -14,15 +14,6 @@ static const struct {
 } surfaces[MADE_UP_USABLE] = {
     {"beta", 2e-7, 500, 3, 1.4}, {"alpha", 1e-7, 1000, 1, 1.6}, {"gamma", 4e-7, 200, 7.5, 1.2}};
 
-size_t made_up_model(const char *name)
-{
-    for (size_t m = 0; m < model_count; m++)
-        if (strcmp(model_rows[m]->name, name) == 0)
-            return m;
-    fail_msg("no model '%s'", name);
-    return 0;
-}
-
 /** Area of a model over that of multiscale elastic. */
 static double factor_of(size_t m)
 {
@@ -253,7 +244,7 @@ static void make_benchmark(struct made_up *made)
 void made_up_sweep(struct made_up *made, enum convergence_sweep sweep, const char *model, size_t value, double last)
 {
     double *area =
-        made->sweeps + (results_sweep(&made->results, sweep, made_up_model(model), value) - made->results.convergence);
+        made->sweeps + (results_sweep(&made->results, sweep, model_named(model), value) - made->results.convergence);
     for (size_t i = 0; i < MADE_UP_SCALES; i++)
         area[i] = i < MADE_UP_SCALES / 2 ? 0.5 : last;
 }

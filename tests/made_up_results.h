@@ -55,8 +55,6 @@ void made_up_again(struct made_up *made);
 
 /** Summary of surface `index`, to be changed. */
 struct surface_summary *made_up_surface(struct made_up *made, size_t index);
-/** Index of the model of that name; fails the test when there is none. */
-size_t made_up_model(const char *name);
 /** Sets the second half of one curve of the convergence study to `last`; the first is 0.5. */
 void made_up_sweep(struct made_up *made, enum convergence_sweep sweep, const char *model, size_t value, double last);
 

@@ -59,37 +59,32 @@ static void assert_well_formed(const char *text)
     }
 
 /** What a chart's script, or its text with letters, says. */
-static struct text script_of(struct chart *chart, const char *terminal_size)
+static const char *script_of(struct chart *chart, const char *terminal_size)
 {
-    struct text out = {0};
+    struct text *out = support_text();
     struct status status = {0};
     struct mustache_folder folder = TEMPLATES(&status);
-    if (chart_script(&out, chart, &folder, terminal_size) != STATUS_OK)
+    if (chart_script(out, chart, &folder, terminal_size) != STATUS_OK)
         fail_msg("%s", status.message);
     mustache_folder_free(&folder);
-    return out;
+    return text_string(out);
 }
 
 /** Writes a chart into `place`, has gnuplot draw it, and takes what it drew. */
-static struct text draw(const struct directory *place, struct chart *chart)
+static const char *draw(const struct directory *place, struct chart *chart)
 {
-    struct text file = {0}, out = {0};
     struct status status = {0};
     struct gnuplot gnuplot;
     struct mustache_folder folder = TEMPLATES(&status);
     if (chart_write(chart, &folder, place->path) != STATUS_OK ||
         gnuplot_start(&gnuplot, place->path, &status) != STATUS_OK)
         fail_msg("%s", status.message);
-    text_add(&file, "load '%s.gp'\n", chart->name);
-    gnuplot_send(&gnuplot, text_string(&file));
-    text_free(&file);
+    gnuplot_send(&gnuplot, filled("load '%s.gp'\n", chart->name));
     expect_ok(gnuplot_finish, &gnuplot);
-    text_add(&file, "%s/%s.svg", place->path, chart->name);
-    expect_ok(text_read_file, &out, text_string(&file));
-    assert_well_formed(text_string(&out));
     mustache_folder_free(&folder);
-    text_free(&file);
-    return out;
+    const char *svg = directory_read(place, filled("%s.svg", chart->name));
+    assert_well_formed(svg);
+    return svg;
 }
 
 static void line(struct chart *chart, const char *legend, const double (*points)[2], size_t count)
@@ -97,12 +92,6 @@ static void line(struct chart *chart, const char *legend, const double (*points)
     chart_curve(chart, &(struct chart_curve){.legend = legend, .colour = "#1257d0"});
     for (size_t i = 0; i < count; i++)
         chart_row(chart, points[i][0], points[i][1], 0, 0);
-}
-
-static void assert_in(const struct text *text, const char *words)
-{
-    if (!strstr(text_string(text), words))
-        fail_msg("'%s' is not in\n%s", words, text_string(text));
 }
 
 /* From least to most, on a logarithmic axis or not: the tics. */
@@ -128,9 +117,8 @@ TEST_CASE(axes_have_few_tics_with_plain_numbers)
         const double points[][2] = {{axes[i].low, 1}, {axes[i].high, 2}};
         chart_panel(&chart, "", "x", "y", axes[i].logarithmic, false);
         line(&chart, "one", points, 2);
-        struct text script = script_of(&chart, NULL);
-        assert_in(&script, axes[i].tics);
-        text_free(&script);
+        const char *script = script_of(&chart, NULL);
+        expect_parts(script, axes[i].tics);
         chart_free(&chart);
     }
 }
@@ -146,8 +134,8 @@ TEST_CASE(axes_of_any_range_have_few_tics)
                 struct chart chart = chart_make("chart");
                 chart_panel(&chart, "", "x", "y", kind == 2, false);
                 line(&chart, "one", points, 2);
-                struct text script = script_of(&chart, NULL);
-                const char *at = strstr(text_string(&script), "set xtics"), *before = "";
+                const char *script = script_of(&chart, NULL);
+                const char *at = strstr(script, "set xtics"), *before = "";
                 assert_non_null(at);
                 size_t tics = 0, length = strcspn(at, "\n");
                 for (const char *end = at + length, *tic; (tic = strchr(at, '\'')) && tic < end; tics++) {
@@ -161,7 +149,6 @@ TEST_CASE(axes_of_any_range_have_few_tics)
                 hard_case("an axis over one unit in the last place, at 1e-300 to 1e300",
                           "thousands of tics, all with the same number", "few tics, each with a number of its own",
                           "tics", (double)tics, 25);
-                text_free(&script);
                 chart_free(&chart);
             }
 }
@@ -194,8 +181,8 @@ TEST_CASE(panels_have_room)
                         line(&chart, name[c], straight, 2);
                     }
                 }
-                struct text script = script_of(&chart, NULL);
-                const char *at = text_string(&script);
+                const char *script = script_of(&chart, NULL);
+                const char *at = script;
                 double wide = setting(at, "size "), high = setting(at, "size 800,"), lowest = 1;
                 assert_float_equal(wide, 800, 0);
                 const bool centred = strstr(at, " center top horizontal");
@@ -214,12 +201,11 @@ TEST_CASE(panels_have_room)
                     if (right > beside || centred)
                         lowest = fmin(lowest, under);
                 }
-                const double rows = ceil(curves / setting(strstr(text_string(&script), "maxcols "), "maxcols "));
+                const double rows = ceil(curves / setting(strstr(script, "maxcols "), "maxcols "));
                 assert_true(curves == 0 || high * legend >= 22.6 * rows); /* none is cut off below */
                 if (legend > lowest)
                     fail_msg("%d panels, %d curves: the legend begins at %g, what is above it ends at %g", count,
                              curves, legend, lowest);
-                text_free(&script);
                 chart_free(&chart);
             }
 }
@@ -242,8 +228,8 @@ TEST_CASE(names_of_rows_and_marks_have_room)
         chart_mark(&chart, true, at < 10 ? at + 0.1 : 9.9, close);
         if (at % 2)
             chart_mark(&chart, false, 1, target);
-        struct text script = script_of(&chart, NULL);
-        const char *drawn = text_string(&script), *mark = strstr(drawn, across);
+        const char *script = script_of(&chart, NULL);
+        const char *drawn = script, *mark = strstr(drawn, across);
         double left = setting(drawn, "set lmargin at screen "), right = setting(drawn, "set rmargin at screen "),
                top = setting(drawn, "set tmargin at screen "), high = setting(drawn, "size 800,"),
                title = setting(strstr(drawn, "'title' at graph 0, "), "screen "), above = setting(mark, ", screen "),
@@ -257,7 +243,6 @@ TEST_CASE(names_of_rows_and_marks_have_room)
         assert_true(at < 10 ? from + wide <= beside : beside + close_wide <= from);
         assert_true(at < 2 || at > 7 ||
                     fabs(beside + close_wide / 2 - 800 * (left + (right - left) * (at + 0.1) / 10)) < 9);
-        text_free(&script);
         chart_free(&chart);
     }
 }
@@ -312,15 +297,8 @@ PLACED(every_kind_is_drawn_where_it_should)
         chart_mark(&chart, true, 3, "here");
         chart_mark(&chart, false, 7, "there");
     }
-    struct text svg = draw(*state, &chart);
-    for (const char *const *words =
-             (const char *const[]){"one", "other", "here", "there", "line", "more", "x (m)", NULL};
-         *words; words++)
-        assert_in(&svg, *words);
-    text_free(&svg);
-    struct text letters = script_of(&chart, "80,24");
-    assert_in(&letters, "set terminal dumb size 80,24");
-    text_free(&letters);
+    expect_parts(draw(*state, &chart), "one", "other", "here", "there", "line", "more", "x (m)");
+    expect_parts(script_of(&chart, "80,24"), "set terminal dumb size 80,24");
     chart_free(&chart);
 }
 
@@ -333,12 +311,10 @@ PLACED(panels_that_share_their_axes_have_one_range)
     line(&chart, "low", low, 2);
     chart_panel(&chart, "", "x", "y", true, false);
     line(&chart, "high", high, 2);
-    struct text script = script_of(&chart, NULL);
-    const char *first = strstr(text_string(&script), "set xrange ["), *second = strstr(first + 1, "set xrange [");
+    const char *script = script_of(&chart, NULL);
+    const char *first = strstr(script, "set xrange ["), *second = strstr(first + 1, "set xrange [");
     assert_memory_equal(first, second, strcspn(first, "\n"));
-    text_free(&script);
-    struct text svg = draw(*state, &chart);
-    text_free(&svg);
+    (void)draw(*state, &chart);
     chart_free(&chart);
 }
 
@@ -360,12 +336,11 @@ PLACED(hostile_names_mean_nothing)
         line(&chart, names[i], points, 2);
         chart_mark(&chart, true, 1.5, names[i]);
     }
-    struct text svg = draw(*state, &chart);
-    assert_in(&svg, "`touch owned`");
-    assert_in(&svg, "γ_{x}^2 {/Bold b}");
-    assert_null(strstr(text_string(&svg), "<script"));
+    const char *svg = draw(*state, &chart);
+    expect_parts(svg, "`touch owned`");
+    expect_parts(svg, "γ_{x}^2 {/Bold b}");
+    assert_null(strstr(svg, "<script"));
     assert_false(directory_has(*state, "owned"));
-    text_free(&svg);
     chart_free(&chart);
 }
 
@@ -385,47 +360,35 @@ TEST_CASE(a_script_that_is_not_there_is_an_error)
 }
 
 /** What `words`, as words.txt, say of `name`; NULL: an error. */
-static struct text said(const char *words, const char *name, struct status *status)
+static const char *said(const struct directory *place, const char *words, const char *name, struct status *status)
 {
-    struct directory place = directory_make();
-    struct text out = {0};
     struct words read;
-    directory_write(&place, "words.txt", words);
-    assert_int_equal(words_read(&read, place.path, status), STATUS_OK);
-    text_add(&out, "%s",
-             words_say(&read, "%s\n%s\nunit %c\nscan %d\nscan 2\nscan 3\nfile\ta b\nbest", name, "", 'N', 1));
+    directory_write(place, "words.txt", words);
+    assert_int_equal(words_read(&read, place->path, status), STATUS_OK);
+    const char *out =
+        lasting("%s", words_say(&read, "%s\n%s\nunit %c\nscan %d\nscan 2\nscan 3\nfile\ta b\nbest", name, "", 'N', 1));
     words_free(&read);
-    directory_remove(&place);
     return out;
 }
 
-TEST_CASE(words_are_filled_in_by_name)
+PLACED(words_are_filled_in_by_name)
 {
     static const char words[] = "# of axes\naxis.force  load ({{unit}}){{#best}}, best{{/best}}\naxis\tjust this\n"
                                 "scans  {{#scan}}{{.}}, {{/scan}}{{file}}\n";
     struct status status = {0}, missing = {0}, wrong = {0};
-    struct text force = said(words, "axis.force", &status), axis = said(words, "axis", &status);
-    struct text scans = said(words, "scans", &status), best = said(words, "axis.force\nbest", &status);
-    assert_string_equal(text_string(&force), "load (N)");
-    assert_string_equal(text_string(&axis), "just this");
-    assert_string_equal(text_string(&scans), "1, 2, 3, a b\nbest"); /* behind a tab all is one text */
-    assert_string_equal(text_string(&best), "load (N), best");
+    struct words read;
+    assert_string_equal(said(*state, words, "axis.force", &status), "load (N)");
+    assert_string_equal(said(*state, words, "axis", &status), "just this");
+    assert_string_equal(said(*state, words, "scans", &status), "1, 2, 3, a b\nbest"); /* behind a tab all is one text */
+    assert_string_equal(said(*state, words, "axis.force\nbest", &status), "load (N), best");
     assert_int_equal(status.code, STATUS_OK);
-    struct text none = said(words, "axis.f", &missing), open = said("a {{#unit}}\n", "a", &wrong);
+    assert_string_equal(said(*state, words, "axis.f", &missing), "");
     assert_int_equal(missing.code, STATUS_USAGE);
     assert_non_null(strstr(missing.message, "words.txt of the templates has no 'axis.f'"));
+    assert_string_equal(said(*state, "a {{#unit}}\n", "a", &wrong), "");
     assert_int_equal(wrong.code, STATUS_USAGE);
-    assert_int_equal(none.length + open.length, 0);
-    struct words read;
-    status = (struct status){0};
     expect_fails(STATUS_IO, "", words_read, &read, "/no-such-folder");
     words_free(&read);
-    text_free(&force);
-    text_free(&axis);
-    text_free(&scans);
-    text_free(&best);
-    text_free(&none);
-    text_free(&open);
 }
 
 /* A long name is cut in its middle, by characters. */

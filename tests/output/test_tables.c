@@ -490,7 +490,7 @@ TEST_CASE(test_what_does_not_run_leaves_nothing)
 
 static void grow_beyond(struct surface_record *record, size_t index)
 {
-    struct model_curve *curve = &record->curves[made_up_model("gw")];
+    struct model_curve *curve = &record->curves[model_named("gw")];
     if (index == 1 && curve->exists)
         curve->points[1].value[QUANTITY_ECR] = INFINITY;
 }

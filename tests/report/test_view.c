@@ -295,7 +295,7 @@ TEST_OF_PLAIN(a_limit_has_a_column_and_a_third_is_a_claim)
 TEST_WITH(roughness_that_may_be_chance_orders_nothing, NULL, free_made)
 {
     static const double waves[] = {1.02, 1.06};
-    const size_t strip = made_up_model("strip-plastic");
+    const size_t strip = model_named("strip-plastic");
     made_up_make_of(&made, made_up_models() | MODEL_BIT(strip), PLAIN, NULL);
     for (size_t i = 0; i < MADE_UP_USABLE; i++) /* one model that does not rise */
         made_up_surface(&made, i)->models[strip]->operating.value[QUANTITY_ECR] = 1e-10;

@@ -21,7 +21,7 @@ static int end(void **state)
 static void make(const char *first, const char *second, void (*change)(struct surface_record *record, size_t index))
 {
     made_up_free(&made);
-    made_up_make_of(&made, MODEL_BIT(made_up_model(first)) | MODEL_BIT(made_up_model(second)), (1u << EFFECT_COUNT) - 1,
+    made_up_make_of(&made, MODEL_BIT(model_named(first)) | MODEL_BIT(model_named(second)), (1u << EFFECT_COUNT) - 1,
                     change);
 }
 
@@ -60,7 +60,7 @@ static void assert_found(const char *name, const char *expected)
 /** Area and resistance of one point of one curve. */
 static double *values_of(struct surface_record *record, const char *model, size_t load)
 {
-    return record->curves[made_up_model(model)].points[load].value;
+    return record->curves[model_named(model)].points[load].value;
 }
 
 /* Loads 1e-6 ... 1e-2; elastic contact is full from 1e-3 (alpha), 2e-3 (beta) and 5e-3 (gamma) on, so that both of a
@@ -107,7 +107,7 @@ static void change_jg(struct surface_record *record, size_t index)
     static const double beta[MADE_UP_USABLE] = {5, 7, 6};
     if (index >= MADE_UP_USABLE)
         return;
-    record->curves[made_up_model("jg")].beta = beta[index];
+    record->curves[model_named("jg")].beta = beta[index];
     for (size_t i = 0; i < MADE_UP_LOADS; i++) {
         double *jg = values_of(record, "jg", i);
         jg[QUANTITY_ECR] *= index == 2 ? 2 : 1;
@@ -172,7 +172,7 @@ static void as_the_thesis_has_it(struct surface_record *record, size_t index)
         bool statistical = model_rows[m]->asperity_model;
         curve->beta = statistical ? -1 : NAN; /* 0.5 σ left */
         if (model_rows[m]->stacks_scales && !model_rows[m]->plastic)
-            curve->kink.load = 3 * record->curves[made_up_model("multiscale-plastic")].full_load;
+            curve->kink.load = 3 * record->curves[model_named("multiscale-plastic")].full_load;
         for (size_t i = 0; curve->exists && i < curve->count; i++) {
             double *value = curve->points[i].value;
             value[QUANTITY_STIFFNESS] = statistical ? 1e12 : 4e12;
@@ -241,7 +241,7 @@ static void make_equal(struct surface_record *record, size_t index)
         elastic[QUANTITY_ADJUSTED] = plastic[QUANTITY_ADJUSTED] = 1e-22 * (double)index; /* nothing, beside σ */
         plastic[QUANTITY_AREA] = elastic[QUANTITY_AREA] * (i == 0 ? 1 - 1e-9 : i == 1 ? 1 - 1e-7 : 1.5);
     }
-    record->curves[made_up_model("jg")].full_load = record->curves[made_up_model("gw")].full_load;
+    record->curves[model_named("jg")].full_load = record->curves[model_named("gw")].full_load;
 }
 
 PLACED(test_equal_neighbours_and_laws)
@@ -285,7 +285,7 @@ PLACED(test_the_same_surfaces_lie_at_no_distance)
  * not at all. */
 static void cut_short(struct surface_record *record, size_t index)
 {
-    struct model_curve *jg = &record->curves[made_up_model("jg")], *gw = &record->curves[made_up_model("gw")];
+    struct model_curve *jg = &record->curves[model_named("jg")], *gw = &record->curves[model_named("gw")];
     jg->count = 4;
     jg->points[3].value[QUANTITY_LOAD] *= 1.5; /* the point of full contact */
     if (index == 1)

@@ -55,7 +55,7 @@ TEST_CASE(what_accuracy_costs)
 {
     struct made_up made;
     made_up_make(&made, NULL);
-    const size_t gw = made_up_model("gw");
+    const size_t gw = model_named("gw");
     struct accuracy of = accuracy_of(&made.results, gw, QUANTITY_ECR);
     assert_true(of.sd > 0);
     assert_near(of.sd, model_sd(model_rows[gw], QUANTITY_ECR, false), 1e-12);

@@ -18,7 +18,7 @@ static int end(void **state)
 PLACED(test_power_laws)
 {
     made_up_make(&made, NULL);
-    const size_t leading = made_up_model("multiscale-plastic");
+    const size_t leading = model_named("multiscale-plastic");
     assert_int_equal(plan_leading_model(&made.plan), leading);
     assert_near(comparison_middle(&made.results, leading, 0).value[QUANTITY_AREA], 0.1, 1e-12);
     assert_near(comparison_middle(&made.results, leading, 1).value[QUANTITY_AREA], 0.2, 1e-12);
@@ -29,7 +29,7 @@ PLACED(test_power_laws)
 /** JG of the first surface ends below the middle load, and the second has none. */
 static void cut_short(struct surface_record *record, size_t index)
 {
-    struct model_curve *jg = &record->curves[made_up_model("jg")];
+    struct model_curve *jg = &record->curves[model_named("jg")];
     jg->count = index == 0 ? 4 : jg->count;
     jg->exists = index != 1;
 }
@@ -37,8 +37,8 @@ static void cut_short(struct surface_record *record, size_t index)
 /* What the leading model shows: of JG the adjusted separation, over sigma, and of what is cut short nothing. */
 PLACED(test_what_is_shown)
 {
-    made_up_make_of(&made, MODEL_BIT(made_up_model("jg")), (1u << EFFECT_COUNT) - 1, cut_short);
-    const size_t jg = made_up_model("jg");
+    made_up_make_of(&made, MODEL_BIT(model_named("jg")), (1u << EFFECT_COUNT) - 1, cut_short);
+    const size_t jg = model_named("jg");
     for (size_t i = 0; i < MADE_UP_USABLE; i++) {
         const struct contact_point at = comparison_middle(&made.results, jg, i);
         double gap = comparison_value(&at, QUANTITY_SEPARATION, jg, made_up_surface(&made, i)->asperities.sigma_m);
@@ -53,7 +53,7 @@ PLACED(test_what_is_shown)
 PLACED(test_a_settled_sweep)
 {
     made_up_make(&made, NULL);
-    size_t model = made_up_model("multiscale-plastic");
+    size_t model = model_named("multiscale-plastic");
     made_up_sweep(&made, CONVERGENCE_GAMMA, "multiscale-plastic", 3, 0.5 * 0.99901);
     assert_true(comparison_converges(&made.results, CONVERGENCE_GAMMA, model, 3));
     made_up_sweep(&made, CONVERGENCE_GAMMA, "multiscale-plastic", 3, 0.5 * 0.99899);
@@ -69,7 +69,7 @@ PLACED(test_loads_of_sweeps)
 {
     made_up_make(&made, NULL);
     const struct material_pair *pair = results_pair(&made.results, made.results.baseline);
-    size_t plastic = made_up_model("multiscale-plastic"), elastic = made_up_model("multiscale-elastic");
+    size_t plastic = model_named("multiscale-plastic"), elastic = model_named("multiscale-elastic");
     const bool given = made.scene.convergence.load_given;
     made.scene.convergence.load_given = false;
     assert_near(results_sweep_load(&made.results, elastic), made.scene.convergence.load, 1e-15);
@@ -89,7 +89,7 @@ PLACED(test_heights_factor)
     made_up_make(&made, NULL);
     assert_true(isnan(comparison_heights_factor(&made.results, 1, QUANTITY_ECR))); /* multiscale leads */
     struct curve_summary strip = {.exists = true}, gaussian = {.exists = true};
-    size_t s = made_up_model("strip"), g = made_up_model("corrected-persson");
+    size_t s = model_named("strip"), g = model_named("corrected-persson");
     struct curve_summary **models = made_up_surface(&made, 1)->models, *before[] = {models[s], models[g]};
     strip.operating.value[QUANTITY_ECR] = 6e-9;
     gaussian.operating.value[QUANTITY_ECR] = 2e-9;
