@@ -167,6 +167,14 @@ char *lasting(const char *format, ...)
     return test_owns(text, free);
 }
 
+size_t times(const char *text, const char *part)
+{
+    size_t count = 0;
+    for (; (text = strstr(text, part)); text++)
+        count++;
+    return count;
+}
+
 size_t model_named(const char *name)
 {
     for (size_t m = 0; m < model_count; m++)

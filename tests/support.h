@@ -93,6 +93,8 @@ void support_parts(const char *text, const char *const *parts, bool there, const
 
 /** What the environment says of the tests, such as ROUGHCONTACT_EVERY=3: of what is many alike, each third. */
 size_t support_number(const char *name, size_t usual);
+/** How often a part stands in a text. */
+size_t times(const char *text, const char *part);
 
 /** A text made as by printf(), such as a file's name; good until the next 16 calls. */
 const char *filled(const char *format, ...) __attribute__((format(printf, 1, 2)));

@@ -10,10 +10,9 @@ static size_t line_count;
 /** Cuts the table into its cells. */
 static void read_rows(void)
 {
-    struct text *file = support_text();
-    expect_ok(text_read_file, file, PROJECT_SOURCE "/tests/claims.tsv");
+    char *file = directory_read(PROJECT_SOURCE, "tests/claims.tsv");
     line_count = 0;
-    for (char *line = strtok(file->data, "\n"); line; line = strtok(NULL, "\n")) {
+    for (char *line = strtok(file, "\n"); line; line = strtok(NULL, "\n")) {
         if (line[0] == '#')
             continue;
         assert_true(line_count < ROWS_MOST);
@@ -183,11 +182,10 @@ TEST_IN_WORKSPACE(two_surfaces_need_no_letters)
 /** Each claim that has words has a scene that says it and one that does not. */
 TEST_CASE(every_key_has_both)
 {
-    struct text *words = support_text();
+    const char *words = directory_read(PROJECT_SOURCE, "templates/words.txt");
     size_t keys = 0;
     read_rows();
-    expect_ok(text_read_file, words, PROJECT_SOURCE "/templates/words.txt");
-    for (const char *line = strstr(text_string(words), "\nclaim."); line; line = strstr(line + 1, "\nclaim.")) {
+    for (const char *line = strstr(words, "\nclaim."); line; line = strstr(line + 1, "\nclaim.")) {
         const char *key = filled("%.*s", (int)strcspn(line + 7, " "), line + 7);
         bool both[2] = {false, false};
         for (size_t i = 0; i < line_count; i++)

@@ -179,14 +179,6 @@ void expect_narrow(const char *text)
             fail_msg("wider than 80 columns: %.200s", text);
 }
 
-size_t times(const char *text, const char *part)
-{
-    size_t count = 0;
-    for (; (text = strstr(text, part)); text++)
-        count++;
-    return count;
-}
-
 void process_expect_failure(struct process process, int status, size_t lines, const char *message, const char *file,
                             int line)
 {

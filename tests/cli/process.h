@@ -78,8 +78,6 @@ void process_expect_failure(struct process process, int status, size_t lines, co
 
 /** Fails the test where a line does not fit a terminal of 80 columns. */
 void expect_narrow(const char *text);
-/** How often a part stands in a text. */
-size_t times(const char *text, const char *part);
 #define expect_part(text, part)    expect_parts((text), (part))
 #define expect_no_part(text, part) expect_no_parts((text), (part))
 /** Fails the test unless `text`, read from `where`, is valid UTF-8 that shows what it holds: no control characters,

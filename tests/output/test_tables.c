@@ -357,8 +357,7 @@ TEST_CASE(test_fields_lie_where_they_say)
 TEST_CASE(test_shown_fields_have_units)
 {
     size_t shown = 0;
-    struct text words = {0};
-    expect_ok(text_read_file, &words, PROJECT_SOURCE "/templates/words.txt");
+    const char *words = directory_read(PROJECT_SOURCE, "templates/words.txt");
     for (const struct record_field *field = surface_fields; field->key; field++) {
         struct unit unit = {.factor = 1}, key = {.factor = 1};
         const char *ending = strrchr(field->key, '_');
@@ -373,10 +372,9 @@ TEST_CASE(test_shown_fields_have_units)
             assert_memory_equal(unit.power, key.power, sizeof unit.power);
         }
         assert_near(record_unit(field), unit.factor, 0);
-        assert_non_null(strstr(text_string(&words), filled("\ncolumn.%s ", field->key)));
+        assert_non_null(strstr(words, filled("\ncolumn.%s ", field->key)));
     }
     assert_true(shown >= 2);
-    text_free(&words);
 }
 
 /* And the estimates have the same names in spread.csv and in results.json. */

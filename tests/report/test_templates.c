@@ -1,22 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A name that a template fills in is one that it can have: a mistyped one would be filled with nothing, in silence. */
-#include "base/text.h"
 #include "base/words.h"
-#include "support.h"
+#include "directory.h"
 
 #include <dirent.h>
 #include <stdio.h>
 
 enum { DEPTH = 20, NAME = 80 };
-
-static struct text read_source(const char *name)
-{
-    struct text path = {0}, out = {0};
-    text_add(&path, "%s/%s", PROJECT_SOURCE, name);
-    expect_ok(text_read_file, &out, text_string(&path));
-    text_free(&path);
-    return out;
-}
 
 /** Adds what stands in the files of a folder that end so. */
 static void add_folder(struct text *out, const char *folder, const char *ending)
@@ -26,11 +16,8 @@ static void add_folder(struct text *out, const char *folder, const char *ending)
     assert_true(count > 0);
     for (int i = 0; i < count; i++) {
         const char *dot = strrchr(entry[i]->d_name, '.');
-        if (dot && strcmp(dot, ending) == 0) {
-            struct text one = read_source(filled("%s/%s", folder, entry[i]->d_name));
-            text_add_bytes(out, one.data, one.length);
-            text_free(&one);
-        }
+        if (dot && strcmp(dot, ending) == 0)
+            expect_ok(text_read_file, out, filled("%s/%s/%s", PROJECT_SOURCE, folder, entry[i]->d_name));
         free(entry[i]);
     }
     free(entry);
@@ -125,7 +112,7 @@ static bool is_documented(const char *document, const struct around *around, con
             return true;
     static struct text schema; /* "as results.json has" */
     if (!schema.data)
-        schema = read_source("docs/results.schema.json");
+        expect_ok(text_read_file, &schema, PROJECT_SOURCE "/docs/results.schema.json");
     bool listed = is_listed(document, NULL, name) || has(text_string(&schema), schema.length, '"', name);
     for (size_t w = 0; w < around->count && !listed; w++)
         listed = is_listed(document, around->words[w], name);
@@ -158,16 +145,15 @@ TEST_CASE(templates_of_the_report_fill_in_documented_names)
                                              {"templates/export", ".txt", "exports"},
                                              {"templates/export", ".sif", "exports"},
                                              {"templates/export", ".csv", "exports"}};
-    struct text document = read_source("docs/templates.md"), terminal = read_source("templates/terminal.txt");
-    size_t names = check_template("terminal.txt", text_string(&terminal), "", text_string(&document), is_documented);
+    const char *document = directory_read(PROJECT_SOURCE, "docs/templates.md"),
+               *terminal = directory_read(PROJECT_SOURCE, "templates/terminal.txt");
+    size_t names = check_template("terminal.txt", terminal, "", document, is_documented);
     for (size_t f = 0; f < sizeof folders / sizeof *folders; f++) {
         struct text *all = support_text();
         add_folder(all, folders[f][0], folders[f][1]);
-        names += check_template(folders[f][0], text_string(all), folders[f][2], text_string(&document), is_documented);
+        names += check_template(folders[f][0], text_string(all), folders[f][2], document, is_documented);
     }
     assert_true(names > 800);
-    text_free(&terminal);
-    text_free(&document);
 }
 
 /** A line of a template can be read in an editor. */
@@ -201,19 +187,18 @@ TEST_CASE(other_templates_fill_in_what_the_program_says)
                      {"charts/style.gp", {"src/chart/"}}};
     size_t names = 0;
     for (size_t f = 0; f < sizeof templates / sizeof *templates; f++) {
-        struct text template = read_source(filled("templates/%s", templates[f].file)), source = {0};
-        char *comment = strstr(text_string(&template), "{{names}}"); /* of words.txt, on names */
+        struct text *source = support_text();
+        char *template = directory_read(PROJECT_SOURCE, filled("templates/%s", templates[f].file));
+        char *comment = strstr(template, "{{names}}"); /* of words.txt, on names */
         for (const char *const *of = templates[f].of; *of; of++) {
             if ((*of)[strlen(*of) - 1] == '/')
-                add_folder(&source, *of, ".c");
+                add_folder(source, *of, ".c");
             else
-                expect_ok(text_read_file, &source, filled("%s/%s", PROJECT_SOURCE, *of));
+                expect_ok(text_read_file, source, filled("%s/%s", PROJECT_SOURCE, *of));
         }
         if (comment)
             memcpy(comment, "(names)", 7), memset(comment + 7, ' ', 2);
-        names += check_template(templates[f].file, text_string(&template), "", text_string(&source), is_in_source);
-        text_free(&template);
-        text_free(&source);
+        names += check_template(templates[f].file, template, "", text_string(source), is_in_source);
     }
     assert_true(names > 150);
 }
@@ -243,10 +228,10 @@ static bool parts_are_asked(const char *source, const char *parts)
 /** Every line of words.txt is asked for: whole, or as the words of a kind ("axis.%s") and of a row's name. */
 TEST_CASE(words_are_asked_for)
 {
-    struct text words = read_source("templates/words.txt");
+    char *words = directory_read(PROJECT_SOURCE, "templates/words.txt");
     const char *source = text_string(asking_sources());
     size_t lines = 0;
-    for (char *line = strtok(words.data, "\n"); line; line = strtok(NULL, "\n")) {
+    for (char *line = strtok(words, "\n"); line; line = strtok(NULL, "\n")) {
         char name[NAME], kind[NAME], *dot;
         if (line[0] == '#')
             continue;
@@ -265,7 +250,6 @@ TEST_CASE(words_are_asked_for)
         lines++;
     }
     assert_true(lines > 110);
-    text_free(&words);
 }
 
 /** Fails where a text "name\na %d\n..." of a source tells what its line of words.txt does not fill in. */
@@ -287,8 +271,7 @@ static void check_told(const char *text, const char *line)
 /** And what is asked for by its whole is there: a text that begins as the words of a kind do. */
 TEST_CASE(what_is_asked_for_has_words)
 {
-    struct text words = read_source("templates/words.txt");
-    const char *all = text_string(&words);
+    const char *all = directory_read(PROJECT_SOURCE, "templates/words.txt");
     size_t names = 0;
     for (const char *at = text_string(asking_sources()); (at = strchr(at, '"')); at++) {
         const char *name = at + 1;
@@ -304,5 +287,4 @@ TEST_CASE(what_is_asked_for_has_words)
         names++;
     }
     assert_true(names > 95);
-    text_free(&words);
 }

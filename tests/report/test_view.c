@@ -45,27 +45,18 @@ static int make_whole(void **state)
 #define TEST_OF_PLAIN(name) TEST_WITH(name, make_plain, free_made)
 #define TEST_OF_WHOLE(name) TEST_WITH(name, make_whole, free_made)
 
-/** A text of the view by a path such as "rows.1.value.value"; "" where it is not there. */
+/** A text or number of the view by a path such as "rows.1.value.value"; "" where it is not there. */
 static const char *view_at(const json_t *view, const char *path)
 {
-    static char number[40];
-    char copy[200];
-    snprintf(copy, sizeof copy, "%s", path);
-    for (char *part = strtok(copy, "."); part; part = strtok(NULL, "."))
-        view = json_is_array(view) ? json_array_get(view, strtoul(part, NULL, 10)) : json_object_get(view, part);
-    if (json_is_number(view) || json_object_get(view, "least")) {
-        struct text words = {0};
-        const json_t *least = json_is_object(view) ? json_object_get(view, "least") : view,
-                     *most = json_is_object(view) ? json_object_get(view, "most") : view;
-        if (json_is_integer(view))
-            text_add(&words, "%lld", (long long)json_integer_value(view));
-        else
-            number_format_range(&words, json_number_value(least), json_number_value(most), 2);
-        snprintf(number, sizeof number, "%s", text_string(&words));
-        text_free(&words);
-        return number;
-    }
-    return json_is_true(view) ? "true" : json_is_string(view) ? json_string_value(view) : "";
+    view = json_at(view, path);
+    if (!json_is_number(view))
+        return json_is_true(view) ? "true" : json_is_string(view) ? json_string_value(view) : "";
+    struct text *words = support_text();
+    if (json_is_integer(view))
+        text_add(words, "%lld", (long long)json_integer_value(view));
+    else
+        number_format(words, json_number_value(view), 2);
+    return text_string(words);
 }
 
 /** The words of the claim of that key; NULL: it is not made. */
@@ -84,73 +75,64 @@ static const char *claim_of(const char *key)
 }
 
 /** The report of what is made up by now, as Markdown. */
-static struct text report_of(void)
+static char *report_of(void)
 {
-    struct text out = {0};
+    struct text *out = support_text();
     made_up_again(&made);
     const struct report_options how = {PROJECT_SOURCE "/templates", NULL, false};
-    expect_ok(report_markdown, &out, made.view, &how);
-    return out;
+    expect_ok(report_markdown, out, made.view, &how);
+    return out->data;
+}
+
+/** The first page of it. */
+static char *page_of(void)
+{
+    char *page = report_of(), *end = strstr(page, "\n---\n");
+    assert_non_null(end);
+    *end = '\0';
+    return page;
 }
 
 /** The lines of a paragraph, which are sentences, in one. */
-static void join_sentences(struct text *page)
+static const char *joined_report(void)
 {
-    for (char *end = page->data; (end = strchr(end + 1, '\n'));)
+    char *report = report_of();
+    for (char *end = report; (end = strchr(end + 1, '\n'));)
         if (strchr(".;", end[-1]) && end[1] && !strchr("\n|-#!", end[1]))
             *end = ' ';
+    return report;
 }
 
-static void report_holds(const char *const *parts, bool there, const char *file, int line)
-{
-    struct text report = report_of();
-    join_sentences(&report);
-    support_parts(text_string(&report), parts, there, file, line);
-    text_free(&report);
-}
-
-#define report_says(...)  report_holds((const char *const[]){__VA_ARGS__, NULL}, true, __FILE__, __LINE__)
-#define report_lacks(...) report_holds((const char *const[]){__VA_ARGS__, NULL}, false, __FILE__, __LINE__)
+#define report_says(...)  expect_parts(joined_report(), __VA_ARGS__)
+#define report_lacks(...) expect_no_parts(joined_report(), __VA_ARGS__)
 
 /** What the terminal shows. */
-static struct text terminal_of(void)
+static char *terminal_of(void)
 {
-    struct text out = {0};
-    expect_ok(report_terminal, &out, "terminal", made.view, PROJECT_SOURCE "/templates", false);
-    return out;
+    struct text *out = support_text();
+    expect_ok(report_terminal, out, "terminal", made.view, PROJECT_SOURCE "/templates", false);
+    return out->data;
 }
 
 /** The same with lines of 80 columns joined. */
-static struct text joined_terminal(void)
+static const char *joined_terminal(void)
 {
-    struct text table = terminal_of();
-    for (char *at = table.data; *at; at++)
+    char *table = terminal_of();
+    for (char *at = table; *at; at++)
         *at = *at == '\n' ? ' ' : *at;
     return table;
-}
-
-static void assert_terminal(const char *words)
-{
-    struct text out = terminal_of();
-    expect_parts(text_string(&out), words);
-    text_free(&out);
 }
 
 /** The first page says `words` and not `unsaid`, and the terminal says them too, without the marks of Markdown. */
 static void assert_says_page(const char *words, const char *unsaid)
 {
-    struct text page = report_of(), table = joined_terminal(), plain = {0};
-    char *end = strstr(page.data, "\n---\n");
-    assert_non_null(end);
-    *end = '\0';
-    expect_parts(text_string(&page), words);
-    expect_no_parts(text_string(&page), unsaid);
+    struct text *plain = support_text();
+    const char *page = page_of();
+    expect_parts(page, words);
+    expect_no_parts(page, unsaid);
     for (const char *at = words; *at; at++)
-        text_add(&plain, strchr("*`", *at) ? "" : "%c", *at);
-    expect_parts(text_string(&table), text_string(&plain));
-    text_free(&plain);
-    text_free(&table);
-    text_free(&page);
+        text_add(plain, strchr("*`", *at) ? "" : "%c", *at);
+    expect_parts(joined_terminal(), text_string(plain));
 }
 
 static const struct {
@@ -229,10 +211,10 @@ TEST_OF_PLAIN(a_target_is_answered_in_newtons)
                      "40\u00a0N (95\u00a0%: 20–80).**",
                      "at most");
     report_says("| beta | 20 (10–40) | 0.15 (0.096–0.24) |");
-    assert_terminal("\nbeta          20   10–40                   0.15   0.096–0.24\n");
+    expect_parts(terminal_of(), "\nbeta          20   10–40                   0.15   0.096–0.24\n");
     answers[plan_leading_model(&made.plan)].kind = ANSWER_NOT_REACHED;
     report_says("and *beta* needs more than 20.0\u00a0N.**", "| beta | &#62;\u00a020.0 |");
-    assert_terminal(">\u00a020.0");
+    expect_parts(terminal_of(), ">\u00a020.0");
     answers[plan_leading_model(&made.plan)].kind = ANSWER_LIGHTEST;
     report_says("| beta | ≤\u00a020.0 |");
     answers[model_count + plan_leading_model(&made.plan)].kind = ANSWER_LIGHTEST;
@@ -446,11 +428,9 @@ TEST_OF_WHOLE(what_no_spectrum_tells_is_not_said)
 
 TEST_OF_PLAIN(bodies_are_those_of_the_surfaces)
 {
-    struct text report = report_of();
-    const char *const one = strstr(text_string(&report), "Bodies: ");
+    const char *const one = strstr(report_of(), "Bodies: ");
     assert_non_null(one);
     assert_null(strstr(one, " on *beta* and"));
-    text_free(&report);
     for (size_t i = 0; i < MADE_UP_USABLE; i++)
         snprintf(made.names[i].bodies.material.name, sizeof made.names[i].bodies.material.name, "%s",
                  i == 1 ? "silver" : "gold");
@@ -465,14 +445,13 @@ TEST_OF_PLAIN(bodies_are_those_of_the_surfaces)
 TEST_OF_PLAIN(a_template_of_the_user_takes_the_reports_place)
 {
     struct status status = {0};
-    struct text out = {0};
+    struct text *whole = support_text();
     struct directory place = directory_make();
     const char source[] = "{{#rows}}{{surface}}: {{value.value}}\n{{/rows}}{{> joint}}";
     directory_write(&place, "my.md", source);
     const struct report_options how = {PROJECT_SOURCE "/templates", directory_path(&place, "my.md"), false};
-    expect_ok(report_markdown, &out, made.view, &how);
-    assert_string_equal(text_string(&out), "beta: 150\nalpha: 50.0\ngamma: 375\n\n");
-    text_free(&out);
+    expect_ok(report_markdown, whole, made.view, &how);
+    assert_string_equal(text_string(whole), "beta: 150\nalpha: 50.0\ngamma: 375\n\n");
     /* its parts: those that lie beside it, else the program's, and none from elsewhere; itself is no part of it */
     static const struct {
         const char *source, *expected; /* NULL: refused */
@@ -496,22 +475,22 @@ TEST_OF_PLAIN(a_template_of_the_user_takes_the_reports_place)
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         const struct report_options beside = {PROJECT_SOURCE "/templates", directory_path(&place, "t/my.md"), false};
         directory_write(&place, "t/my.md", cases[i].source);
-        enum status_code rc = report_markdown(&out, made.view, &beside, &status);
+        struct text *out = support_text();
+        enum status_code rc = report_markdown(out, made.view, &beside, &status);
         if (rc != (cases[i].expected ? STATUS_OK : strcmp(cases[i].source, "{{> my}}") == 0 ? STATUS_IO : STATUS_USAGE))
             fail_msg("%s: %s", cases[i].source, status.message);
         if (rc == STATUS_OK)
-            expect_parts(text_string(&out), cases[i].expected);
+            expect_parts(text_string(out), cases[i].expected);
         status = (struct status){0};
-        text_free(&out);
     }
     directory_remove(&place);
 }
 
 TEST_OF_PLAIN(the_terminal_shows_the_first_pages_table)
 {
-    assert_terminal("\nsurface  contact resistance/µΩ     95 %\n");
-    assert_terminal("\nbeta                       150   96–240\n");
-    assert_terminal("At 10.0\u00a0N the contact resistance is 50.0\u00a0µΩ");
+    expect_parts(terminal_of(), "\nsurface  contact resistance/µΩ     95 %\n");
+    expect_parts(terminal_of(), "\nbeta                       150   96–240\n");
+    expect_parts(terminal_of(), "At 10.0\u00a0N the contact resistance is 50.0\u00a0µΩ");
 }
 
 /** Every sentence of the first page, whatever the names. */
@@ -521,9 +500,9 @@ TEST_OF_PLAIN(the_terminal_says_what_the_page_says)
     size_t sentences = 0;
     made.names[1].name = hostile;
     made_up_again(&made);
-    struct text page = report_of(), table = joined_terminal();
-    *strstr(page.data, "\n---\n") = '\0';
-    strtok(page.data, "\n"); /* the title */
+    char *page = page_of();
+    const char *table = joined_terminal();
+    strtok(page, "\n"); /* the title */
     for (char *line; (line = strtok(NULL, "\n"));) {
         if (strncmp(line, "- ", 2) != 0 && strncmp(line, "**", 2) != 0)
             continue; /* the table and the figures */
@@ -534,13 +513,11 @@ TEST_OF_PLAIN(the_terminal_says_what_the_page_says)
             at += kept ? 1 : less ? 4 : 0;
             text_add(plain, kept || !strchr("*`", *at) ? "%c" : "", less ? '<' : *at);
         }
-        expect_parts(text_string(&table), text_string(plain));
+        expect_parts(table, text_string(plain));
     }
     assert_true(sentences >= 5);
-    expect_parts(text_string(&table), "significantly better");
-    expect_parts(text_string(&table), "on a*b`c* and ");
-    text_free(&table);
-    text_free(&page);
+    expect_parts(table, "significantly better");
+    expect_parts(table, "on a*b`c* and ");
 }
 
 /* ---- docs/templates.md lists the view's names ---- */
@@ -564,9 +541,10 @@ static void check_names(const json_t *view, const char *document, const char *sc
     }
 }
 
-/** Adds all that src/report says. */
-static void add_sources(struct text *out)
+/** All that src/report says. */
+static const char *sources(void)
 {
+    struct text *out = support_text();
     static const char *const files[] = {"report/view.c",        "report/view_page.c",     "report/view_surfaces.c",
                                         "report/view_models.c", "report/view_accuracy.c", "report/view_findings.c",
                                         "report/view_export.c", "report/report.c",        "report/export.c",
@@ -574,25 +552,20 @@ static void add_sources(struct text *out)
                                         "chart/figures.c",      "contact/quantity.c",     "material/material.c"};
     for (size_t f = 0; f < sizeof files / sizeof *files; f++)
         expect_ok(text_read_file, out, filled("%s/src/%s", PROJECT_SOURCE, files[f]));
+    return text_string(out);
 }
 
 TEST_OF_WHOLE(the_list_of_names_is_the_views)
 {
-    struct text document = {0}, sources = {0}, schema = {0};
-    expect_ok(text_read_file, &document, PROJECT_SOURCE "/docs/templates.md");
-    expect_ok(text_read_file, &schema, PROJECT_SOURCE "/docs/results.schema.json");
-    check_names(made.view, text_string(&document), text_string(&schema));
-    add_sources(&sources);
-    for (const char *tick = strstr(text_string(&document), "## Names"); (tick = strchr(tick, '`'));) {
+    const char *document = directory_read(PROJECT_SOURCE, "docs/templates.md"), *said = sources();
+    check_names(made.view, document, directory_read(PROJECT_SOURCE, "docs/results.schema.json"));
+    for (const char *tick = strstr(document, "## Names"); (tick = strchr(tick, '`'));) {
         size_t length = strcspn(tick + 1, "`");
         char name[80];
         snprintf(name, sizeof name, "\"%.*s\"", (int)length, tick + 1);
         bool factor = strstr(name, "_factor\"") != NULL; /* "%s_factor" */
-        if (length > 1 && !factor && !strstr(text_string(&sources), name))
+        if (length > 1 && !factor && !strstr(said, name))
             fail_msg("docs/templates.md names %s, which the view has not", name);
         tick += length + 2;
     }
-    text_free(&document);
-    text_free(&sources);
-    text_free(&schema);
 }

@@ -2,19 +2,14 @@
 /* How far models are expected to be off, and at what time. */
 #include "results/accuracy.h"
 
-#include "base/text.h"
+#include "directory.h"
 #include "made_up_results.h"
-#include "support.h"
-
-#include <stdio.h>
 
 /* The table of errors is what docs/validation.md prints of other heights, from five scans, elastic models of elastic
  * contact and others of metal that yields; that of strips, on real maps, is no smaller. */
 TEST_CASE(errors_are_those_of_the_validation)
 {
-    struct text *page = support_text();
-    expect_ok(text_read_file, page, PROJECT_SOURCE "/docs/validation.md");
-    const char *table = strstr(text_string(page), "\n| other heights |");
+    const char *table = strstr(directory_read(PROJECT_SOURCE, "docs/validation.md"), "\n| other heights |");
     assert_non_null(table);
     for (size_t i = 0; i < model_error_count; i++) {
         const struct model_error *error = &model_errors[i];

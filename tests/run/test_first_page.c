@@ -78,10 +78,7 @@ TEST_IN_PLACE(test_the_best_and_the_worst_are_shown)
     }
     char *chart = directory_read(place, "out/figures/answer.csv");
     expect_parts(chart, filled("# %s, best\n", best), filled("# %s, worst\n", worst), "# s5, baseline\n");
-    size_t others = 0;
-    for (const char *at = chart; (at = strstr(at, "# others\n")); at++)
-        others++;
-    assert_int_equal(others, 5);
+    assert_int_equal(times(chart, "# others\n"), 5);
 }
 
 static size_t count_figures(const struct directory *place, const char *folder)
