@@ -461,8 +461,7 @@ enum status_code chart_script(struct text *out, struct chart *chart, struct must
     json_object_set_new(view, "panels", panels);
     json_object_set_new(view, "size", json_string(terminal_size ? terminal_size : ""));
     enum status_code rc =
-        !view ? status_memory(templates->status)
-              : mustache_file(out, templates, terminal_size ? "charts/letters" : "charts/panels", view, chart_escape);
+        mustache_file(out, templates, terminal_size ? "charts/letters" : "charts/panels", view, chart_escape);
     json_decref(view);
     return rc;
 }

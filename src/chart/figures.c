@@ -925,10 +925,9 @@ static enum status_code write_map(const struct surface_record *record, const cha
     json_t *view = json_pack("{ss so ss si sf sf sb sb}", "name", name, "title", json_shown(title), "length_unit",
                              small ? "µm" : "mm", "cells", (int)cells, "side", side_m * length, "section",
                              contact->section_m * length, "has_material", !pair->unknown, "flows", flows);
-    if (view && flows)
+    if (flows)
         json_set(view, "hardness", pair->hardness_Pa / pair->effective_modulus_Pa * stress);
-    enum status_code rc =
-        view ? mustache_file(&script, source->templates, "charts/map", view, chart_escape) : status_memory(status);
+    enum status_code rc = mustache_file(&script, source->templates, "charts/map", view, chart_escape);
     if (rc == STATUS_OK)
         rc = text_save(&script, status, "%s/%s.gp", source->directory, name);
     if (rc == STATUS_OK)
@@ -1021,7 +1020,7 @@ enum status_code figures_finish(struct text *letters, const struct figures *figu
         struct text file = {0};
         struct stat drawn;
         text_add(&file, "%s/figures/%s.svg", task->directory, name);
-        if (file.failed || stat(text_string(&file), &drawn) != 0 || drawn.st_size == 0)
+        if (stat(text_string(&file), &drawn) != 0 || drawn.st_size == 0)
             rc = status_fail(status, STATUS_CHART,
                              "gnuplot did not draw '%s.svg' and did not say why: see whether it runs by itself "
                              "('gnuplot -d')",

@@ -161,5 +161,5 @@ enum status_code gnuplot_take_text(struct text *out, const char *path, struct st
         line += length + (line[length] == '\n');
     }
     text_free(&drawn);
-    return code == STATUS_OK && out->failed ? status_memory(status) : code;
+    return code;
 }

@@ -402,21 +402,14 @@ json_t *json_outline(const struct results *results)
                      "undecided_limits", undecided);
 }
 
-/** Adds one value; takes it over. */
-static bool dump(struct text *out, json_t *json)
-{
-    bool ok = json_text(out, json);
-    json_decref(json);
-    return ok;
-}
-
-/** Prints one value behind `before`; takes it over. */
-static bool print(FILE *file, const char *before, json_t *json)
+/** Prints one value behind `before`; takes it over. Who closes the file sees what failed. */
+static void print(FILE *file, const char *before, json_t *json)
 {
     struct text text = {0};
-    bool ok = dump(&text, json) && fputs(before, file) >= 0 && fputs(text_string(&text), file) >= 0;
+    status_lost |= !json_text(&text, json);
+    fprintf(file, "%s%s", before, text_string(&text));
     text_free(&text);
-    return ok;
+    json_decref(json);
 }
 
 /** The surfaces in the making. */
@@ -431,19 +424,19 @@ static enum status_code print_surface(void *context, size_t index, struct thread
 {
     struct printing *all = context;
     struct words *given = all->results->plan->words, own = {.said = NULL};
-    struct text text = {0};
     if (!all->results->surfaces[index].summary.usable)
         return STATUS_OK;
     if (given)
         own = (struct words){given->file, json_array(), status};
-    if (!dump(&text, surface_json(all->results, index, given ? &own : NULL)) && status->code == STATUS_OK)
-        (void)status_memory(status);
-    json_decref(own.said);
+    json_t *surface = surface_json(all->results, index, given ? &own : NULL);
+    struct text text = {0};
+    status_lost |= !json_text(&text, surface);
     if (status->code == STATUS_OK && threads_wait(turn)) {
-        if (fputs(all->before, all->file) < 0 || fputs(text_string(&text), all->file) < 0)
-            (void)status_fail(status, STATUS_IO, "cannot write results.json: %s", strerror(errno));
+        fprintf(all->file, "%s%s", all->before, text_string(&text));
         all->before = ",\n";
     }
+    json_decref(surface);
+    json_decref(own.said);
     text_free(&text);
     return status->code;
 }
@@ -479,20 +472,27 @@ enum status_code json_write(const struct results *results, const struct comparis
     if (!file)
         return status_fail(status, STATUS_IO, "cannot write results.json: %s", strerror(errno));
     struct printing all = {file, results, "\n"};
-    bool ok = print(file, "{\"schema_version\": 1,\n\"program\": ", json_string("roughcontact")) &&
-              print(file, ",\n\"version\": ", json_string(version_string())) &&
-              print(file, ",\n\"scene\": ", scene_json(results)) &&
-              print(file, ",\n\"leading\": ", json_string(model_rows[plan_leading_model(results->plan)]->name)) &&
-              print(file, ",\n\"claims\": ", claims_json(claims)) && fputs(",\n\"surfaces\": [", file) >= 0 &&
-              threads_run(&results->threads, results->surface_count, print_surface, &all, status) == STATUS_OK &&
-              print(file, "],\n\"refused\": ", refused_json(results)) &&
-              print(file, ",\n\"comparison\": ", comparison_json(results, comparison)) &&
-              (!scene->passed_over || print(file, ",\n\"passed_over\": ", json_lines(scene->passed_over))) &&
-              (scene->target_count == 0 || print(file, ",\n\"answers\": ", tables_json(results, TABLES_ANSWERS))) &&
-              (scene->limit_count == 0 || print(file, ",\n\"limits\": ", tables_json(results, TABLES_LIMITS))) &&
-              (results->direct_count == 0 || print(file, ",\n\"direct\": ", studies_json(results))) &&
-              print(file, ",\n\"work\": ", work_json(results)) && fputs("}\n", file) >= 0;
-    if ((fclose(file) != 0 || !ok) && status->code == STATUS_OK)
-        return status_fail(status, STATUS_IO, "cannot write results.json");
+    print(file, "{\"schema_version\": 1,\n\"program\": ", json_string("roughcontact"));
+    print(file, ",\n\"version\": ", json_string(version_string()));
+    print(file, ",\n\"scene\": ", scene_json(results));
+    print(file, ",\n\"leading\": ", json_string(model_rows[plan_leading_model(results->plan)]->name));
+    print(file, ",\n\"claims\": ", claims_json(claims));
+    fputs(",\n\"surfaces\": [", file);
+    (void)!threads_run(&results->threads, results->surface_count, print_surface, &all, status);
+    print(file, "],\n\"refused\": ", refused_json(results));
+    print(file, ",\n\"comparison\": ", comparison_json(results, comparison));
+    if (scene->passed_over)
+        print(file, ",\n\"passed_over\": ", json_lines(scene->passed_over));
+    if (scene->target_count > 0)
+        print(file, ",\n\"answers\": ", tables_json(results, TABLES_ANSWERS));
+    if (scene->limit_count > 0)
+        print(file, ",\n\"limits\": ", tables_json(results, TABLES_LIMITS));
+    if (results->direct_count > 0)
+        print(file, ",\n\"direct\": ", studies_json(results));
+    print(file, ",\n\"work\": ", work_json(results));
+    fputs("}\n", file);
+    const bool lost = ferror(file);
+    if ((fclose(file) != 0 || lost) && status->code == STATUS_OK)
+        return status_fail(status, STATUS_IO, "cannot write results.json: %s", status_reason(errno));
     return status->code; /* perhaps for want of a word */
 }

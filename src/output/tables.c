@@ -99,7 +99,7 @@ static void open_table(struct table *table, const struct text *header)
     table->file = fopen(text_string(&path), "w");
     text_free(&path);
     if (table->file)
-        fwrite(header->data, 1, header->length, table->file);
+        fwrite(text_string(header), 1, header->length, table->file);
     else
         table->problem = errno;
 }
@@ -112,7 +112,7 @@ static void write_rows(struct table *table)
         if (table->rows.length > 0 && !whole->file && !whole->problem)
             open_table(whole, &table->header);
         if (table->rows.length > 0 && whole->file &&
-            fwrite(table->rows.data, 1, table->rows.length, whole->file) < table->rows.length)
+            fwrite(text_string(&table->rows), 1, table->rows.length, whole->file) < table->rows.length)
             whole->problem = errno;
         table->problem = whole->problem;
         if (table->infinite > 0 && whole->counted) {
@@ -203,8 +203,6 @@ static void put_fields(struct table *table, const struct record_field *fields, c
 static enum status_code table_close(struct table *table, struct status *status)
 {
     write_rows(table);
-    if (table->rows.failed || table->header.failed)
-        table->problem = ENOMEM;
     text_free(&table->header);
     text_free(&table->rows);
     if (!table->whole && table->file && fclose(table->file) != 0)
@@ -261,7 +259,6 @@ static void put_spectrum(struct table *table, const struct surface_record *recor
         end_row(table);
         i += bin.count;
     }
-    table->rows.failed = table->rows.failed || name.failed;
     text_free(&name);
 }
 

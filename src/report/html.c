@@ -274,9 +274,8 @@ enum status_code html_render(struct text *out, const char *markdown, const char 
     if (shown.length <= UINT_MAX && md_html(text_string(&shown), (MD_SIZE)shown.length, add_piece, &html,
                                             MD_FLAG_TABLES | MD_FLAG_NOHTML, MD_HTML_FLAG_VERBATIM_ENTITIES) == 0) {
         add_body(&page, text_string(&html));
-        if (!shown.failed && !html.failed && !page.body.failed && !page.contents.failed)
-            view = json_pack("{ss# ss# so}", "contents", text_string(&page.contents), page.contents.length, "body",
-                             text_string(&page.body), page.body.length, "title", json_shown(title));
+        view = json_pack("{ss# ss# so}", "contents", text_string(&page.contents), page.contents.length, "body",
+                         text_string(&page.body), page.body.length, "title", json_shown(title));
     }
     enum status_code code = status->code;
     if (code == STATUS_OK)

@@ -69,12 +69,9 @@ enum status_code report_write(json_t *view, const struct report_options *options
     if (rc == STATUS_OK)
         rc = text_save(&html, status, "%s/report.html", directory);
     char *dumped = rc == STATUS_OK ? json_dumps(view, JSON_INDENT(1) | JSON_SORT_KEYS) : NULL;
-    if (rc == STATUS_OK && !dumped)
-        rc = status_memory(status);
-    if (rc == STATUS_OK) {
-        text_add(&tree, "%s\n", dumped);
+    text_add(&tree, "%s\n", dumped ? dumped : "");
+    if (rc == STATUS_OK)
         rc = text_save(&tree, status, "%s/view.json", directory);
-    }
     free(dumped);
     text_free(&tree);
     text_free(&markdown);

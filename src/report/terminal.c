@@ -71,7 +71,7 @@ enum status_code report_terminal(struct text *out, const char *name, const json_
                                  &folder};
     struct text path = {0}, source = {0}, words = {0}, sentence = {0};
     text_add(&path, "%s/%s.txt", templates, name);
-    enum status_code rc = path.failed ? status_memory(status) : text_read_file(&source, text_string(&path), status);
+    enum status_code rc = text_read_file(&source, text_string(&path), status);
     if (rc == STATUS_OK)
         rc = mustache_render(&words, text_string(&source), name, &how, status);
     text_squeeze(&words);

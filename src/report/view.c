@@ -191,5 +191,5 @@ enum status_code view_make(json_t **out, const struct results *results, const st
     add_figures(*out, &source, figures);
     for (size_t p = 0; p < sizeof parts / sizeof *parts; p++)
         parts[p](*out, &source);
-    return *out ? status->code : status_memory(status);
+    return status->code;
 }
