@@ -151,9 +151,30 @@ static void put_in_place(const struct directory *place, char kind, const char *n
                          0);
 }
 
+/* Begins in a process of its own, with `note` ("": does not) fills and links that file of the user's, and is killed.
+ */
+static void begin_and_die(const struct directory *place, const char *target, const char *note)
+{
+    int state;
+    pid_t child = divide();
+    if (child == 0) {
+        struct exchange output;
+        begin(&output, place, target);
+        if (*note)
+            fill(&output, "half");
+        if (*note &&
+            linkat(AT_FDCWD, directory_path(place, note), AT_FDCWD, filled("%s/notes.md", output.staging), 0) != 0)
+            _exit(1);
+        raise(SIGKILL);
+    }
+    assert_int_equal(waitpid(child, &state, 0), child);
+    assert_true(WIFSIGNALED(state));
+}
+
 /* What happens in an empty directory, step by step: a word, a name and the rest of the line.
  *
  * begin OUT, stage NAME WORD, fill WORD, commit, abandon: as a run does; publish OUT WORD does all of it
+ * die OUT NOTE: begin_and_die()
  * refused OUT MESSAGE, refused-late OUT MESSAGE: it does not begin, or the one under way is not committed
  * file NAME WORD, directory NAME, link NAME TO, pipe NAME, remove NAME, move NAME TO, users OUT: the user does
  * is NAME KIND, holds NAME WORD, report OUT WORD, no NAME, entries NAME COUNT, stay OUT: so it is then */
@@ -174,6 +195,8 @@ static void take_step(const struct directory *place, struct exchange *output, co
         exchange_abandon(output); /* twice is once */
     } else if (strcmp(word, "publish") == 0)
         publish(place, name, rest);
+    else if (strcmp(word, "die") == 0)
+        begin_and_die(place, name, rest);
     else if (strcmp(word, "refused") == 0)
         assert_refused(place, name, rest);
     else if (strcmp(word, "refused-late") == 0) {
@@ -278,6 +301,9 @@ static const char *const stories[] = {
     "publish out one|holds .roughcontact-abcdef/report/mine.csv a|holds .roughcontact-abcdeg/lock b|"
     "holds .roughcontact-abcdeh/run c|holds .roughcontact-abcdej/done/mine.csv d|holds .roughcontact-longer1/mine e|"
     "entries . 6",
+    /* what killed runs left is cleared away, by whichever run comes there next */
+    "publish out one|users out|die out|die a out/notes.md|entries . 2|publish out two|entries . 1|die a out/notes.md|"
+    "publish other one|entries . 2|holds out/report.md two|stay out",
 };
 
 TEST_CASE(test_stories)
@@ -516,47 +542,30 @@ static bool put(int folder, const char *name, const char *content)
     return true;
 }
 
-static bool came; /* what the act did arrived */
+/* What comes: a file, or one in a directory of its own, into whatever is at OUT; or by a process that stands in the
+ * directory, wherever that is meanwhile: a new one, or one saved as an editor does, renamed over the one before. */
+static const struct {
+    const char *name;
+    bool inside, saved;
+} acts[] = {{"figures/late.txt", false, false},
+            {"late/late.txt", false, false},
+            {"late.txt", true, false},
+            {"notes.md", true, true}};
+static size_t acting;
+static bool came; /* it arrived */
 
-static void add_file(const struct directory *place, int old)
+static void act(const struct directory *place, int old)
 {
-    (void)old;
-    directory_write(place, "out/figures/late.txt", "late");
-    came = true;
-}
-
-static void add_directory(const struct directory *place, int old)
-{
-    (void)old;
-    assert_int_equal(mkdir(directory_path(place, "out/late"), 0777), 0);
-    directory_write(place, "out/late/late.txt", "late");
-    came = true;
-}
-
-/* By a process that stands in the directory, wherever that is meanwhile. */
-static void add_file_inside(const struct directory *place, int old)
-{
-    (void)place;
-    came = put(old, "late.txt", "late");
-}
-
-/* As an editor saves: a new file, then renamed over the one before. */
-static void save_file(const struct directory *place, int old)
-{
-    (void)place;
-    came = put(old, "notes.md~", "late") && renameat(old, "notes.md~", old, "notes.md") == 0;
+    const char *name = acts[acting].name;
+    if (!acts[acting].inside)
+        directory_write(place, filled("out/%s", name), "late");
+    came = !acts[acting].inside || (put(old, acts[acting].saved ? "notes.md~" : name, "late") &&
+                                    (!acts[acting].saved || renameat(old, "notes.md~", old, name) == 0));
 }
 
 TEST_CASE(test_what_comes_at_any_instant_is_not_lost)
 {
-    static const struct {
-        void (*act)(const struct directory *place, int old);
-        const char *name;
-    } acts[] = {{add_file, "figures/late.txt"},
-                {add_directory, "late/late.txt"},
-                {add_file_inside, "late.txt"},
-                {save_file, "notes.md"}};
-    for (size_t i = 0; i < sizeof acts / sizeof *acts; i++) {
+    for (size_t i = acting = 0; i < sizeof acts / sizeof *acts; acting = ++i) {
         bool ended = false, left = false;
         for (size_t steps = i % 2; !ended; steps += 2) { /* every instant is one of two acts' */
             struct directory place = directory_make();
@@ -569,7 +578,7 @@ TEST_CASE(test_what_comes_at_any_instant_is_not_lost)
             int old = open(directory_path(&place, "out"), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
             assert_true(old >= 0);
             came = false;
-            ended = !commit_stepwise(&output, 0, steps, false, acts[i].act, &place, old, &code);
+            ended = !commit_stepwise(&output, 0, steps, false, act, &place, old, &code);
             close(old);
             leave(&output);
             assert_whole(&place, "out", NULL);
@@ -634,37 +643,6 @@ TEST_CASE(test_a_name_that_is_too_long_is_refused)
     name[sizeof name - 1] = '\0';
     expect_fails(STATUS_IO, "too long", exchange_begin, &output, name);
     exchange_abandon(&output);
-}
-
-/* Begins in a process of its own, with `note` (NULL: does not) fills and links that file of the user's, and is killed.
- */
-static void begin_and_die(const struct directory *place, const char *target, const char *note)
-{
-    int state;
-    pid_t child = divide();
-    if (child == 0) {
-        struct exchange output;
-        begin(&output, place, target);
-        if (note)
-            fill(&output, "half");
-        if (note &&
-            linkat(AT_FDCWD, directory_path(place, note), AT_FDCWD, filled("%s/notes.md", output.staging), 0) != 0)
-            _exit(1);
-        raise(SIGKILL);
-    }
-    assert_int_equal(waitpid(child, &state, 0), child);
-    assert_true(WIFSIGNALED(state));
-}
-
-TEST_IN_DIRECTORY(test_what_killed_runs_left_is_cleared_away)
-{
-    publish(place, "out", "one");
-    write_users_files(place, "out", USERS_FILES);
-    begin_and_die(place, "out", NULL);
-    begin_and_die(place, "a", "out/notes.md");
-    play(place, "entries . 2|publish out two|entries . 1");
-    begin_and_die(place, "a", "out/notes.md"); /* whichever run comes there next */
-    play(place, "publish other one|entries . 2|holds out/report.md two|stay out");
 }
 
 TEST_IN_DIRECTORY(test_what_a_living_run_makes_stays)
@@ -830,7 +808,7 @@ TEST_IN_DIRECTORY(test_a_set_group_id_directory)
     assert_int_equal(mkdir(directory_path(place, "plain"), 0777), 0);
     publish(place, "out", "one");
     assert_int_equal(mode_of(place, "out"), mode_of(place, "plain"));
-    begin_and_die(place, "out", NULL);
+    begin_and_die(place, "out", "");
     assert_int_equal(directory_entries(place, ""), 3);
     publish(place, "out", "two");
     assert_int_equal(mode_of(place, "out"), mode_of(place, "plain"));
@@ -905,7 +883,7 @@ TEST_IN_DIRECTORY(test_what_others_own_is_refused)
     publish(place, "open/out", "one");
     for (size_t i = 0; i < sizeof modes / sizeof *modes; i++)
         assert_int_equal(chmod(directory_path(place, modes[i].name), modes[i].mode), 0);
-    begin_and_die(place, "sticky/out", NULL); /* is root's: stays */
+    begin_and_die(place, "sticky/out", ""); /* is root's: stays */
     pid_t child = divide();
     if (child == 0) {
         if (setgid(NOBODY) != 0 || setuid(NOBODY) != 0)
