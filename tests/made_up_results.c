@@ -92,28 +92,6 @@ static void make_estimates(struct made_up *made, struct surface_record *record, 
     expect_ok(curve_summary_put_estimates, model, all);
 }
 
-/** The mean within a tenth of the curve, another scan within two. */
-static void make_bands(struct surface_record *record, size_t m)
-{
-    record->band_count = MADE_UP_LOADS;
-    record->bands[m] = calloc(MADE_UP_LOADS, sizeof *record->bands[m]);
-    assert_non_null(record->bands[m]);
-    for (size_t i = 0; i < MADE_UP_LOADS; i++) {
-        const struct contact_point *point = &record->curves[m].points[i];
-        struct ensemble_band *band = &record->bands[m][i];
-        band->load = point->value[QUANTITY_LOAD];
-        for (int q = 0; q < QUANTITY_COUNT; q++)
-            for (int side = 0; side < 2; side++) {
-                double value = (quantity_rows[q].is & QUANTITY_BANDED)
-                                   ? quantity_shown(point, model_shown(model_rows[m], (enum quantity)q),
-                                                    record->summary.asperities.sigma_m)
-                                   : NAN;
-                band->mean[q][side] = value * (side == 0 ? 0.9 : 1.1);
-                band->next[q][side] = value * (side == 0 ? 0.8 : 1.2);
-            }
-    }
-}
-
 static void make_surface(struct made_up *made, size_t index, void (*change)(struct surface_record *, size_t))
 {
     struct surface_record *record = &made->surfaces[index];
@@ -160,18 +138,7 @@ static void make_surface(struct made_up *made, size_t index, void (*change)(stru
         summary->independent = (double)summary->scans;
         if (index == 0)
             note_add(&summary->notes, "beta.csv", "note.text\ntext\ta note");
-        record->spectrum = (struct spectrum){malloc(3 * sizeof(double)), 3, 2e-4, false};
-        for (size_t i = 0; i < 3; i++)
-            record->spectrum.amplitude_m[i] = power_law_amplitude(&summary->power_law, 2e-4 / (double)(i + 1));
-        summary->tail = convergence_tail(&record->spectrum, 3);
-        record->preview_points = 2;
-        record->preview_x_m = calloc(2, sizeof *record->preview_x_m);
-        record->preview_z_m = calloc(2, sizeof *record->preview_z_m);
-        assert_true(record->preview_x_m && record->preview_z_m);
-        record->preview_x_m[1] = 2e-4;
-        record->preview_z_m[1] = rq_m;
         record->curves = calloc(model_count, sizeof *record->curves);
-        record->bands = calloc(model_count, sizeof *record->bands);
         for (size_t m = 0; m < model_count; m++) {
             if (plan_runs_model(&made->plan, m))
                 make_curve(record, index, m, made->loads, made->plan.wanted);
@@ -188,10 +155,7 @@ static void make_surface(struct made_up *made, size_t index, void (*change)(stru
                 model->extension = (struct convergence_extension){0.4, 0.3, 100};
             else
                 model->beta_multiscale = 7;
-            model->sensitivity = (struct sensitivity_factors){{1.05, 0.8, 0.92}, {0.95, 1.3, 1.08}};
             make_estimates(made, record, index, m);
-            if (index == 0)
-                make_bands(record, m);
         }
         if (index == 0) {
             summary->repeats = (struct repeats){.count = 2,
