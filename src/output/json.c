@@ -352,7 +352,6 @@ static json_t *work_json(const struct results *results)
 /** The surfaces held against each other in the leading model, the best first. */
 static json_t *comparison_json(const struct results *results, const struct comparison *ranking)
 {
-    static const char *const verdicts[] = {"not told apart", "told apart", "told apart"};
     json_t *ranks = json_array(), *pairs = json_array();
     for (size_t i = 0; i < ranking->count; i++) {
         const char *name = results->surfaces[ranking->surface[i]].summary.scene->name;
@@ -362,7 +361,7 @@ static json_t *comparison_json(const struct results *results, const struct compa
         for (size_t j = i + 1; j < ranking->count; j++) {
             const struct comparison_pair *pair = comparison_pair_of(ranking, i, j);
             json_t *json = json_pack("{s:I, s:I, s:s}", "better", (json_int_t)i, "other", (json_int_t)j, "verdict",
-                                     verdicts[pair->verdict]);
+                                     comparison_told_apart(pair) ? "told apart" : "not told apart");
             json_set(json, "ratio", pair->ratio);
             json_set_all(json, "ratio_95", (const double[]){pair->low, pair->high}, 2);
             json_set(json, "p", pair->p);

@@ -371,13 +371,13 @@ static void add_number(json_t *view, struct compared *all, const char *name, con
     json_decref(lines);
 }
 
-/** Is `key` in one of the first `count` objects? */
-static bool is_known(json_t *const *objects, size_t count, const char *key)
+/** All keys of the objects, in their order; new. */
+static json_t *keys_of(json_t *const *objects, size_t count)
 {
-    bool known = false;
-    while (count > 0 && !known)
-        known = json_object_get(objects[--count], key);
-    return known;
+    json_t *keys = json_object();
+    for (size_t k = 0; k < count; k++)
+        json_object_update_missing(keys, objects[k]);
+    return keys;
 }
 
 /** Lists `key` of `of`, one a report, or what is below it, where it differs; but what is made of the rest. */
@@ -397,12 +397,9 @@ static void add_input(json_t *view, struct compared *all, json_t *const *of, con
         values[k] = json_object_get(of[k], key);
         objects = json_is_object(values[k]) && objects && whole.length < PATH_MOST;
     }
-    for (size_t k = 0; k < all->count && objects; k++)
-        json_object_foreach(values[k], below, ignored)
-        {
-            if (!is_known(values, k, below))
-                add_input(view, all, values, text_string(&whole), below);
-        }
+    json_t *keys = keys_of(values, objects ? all->count : 0);
+    json_object_foreach(keys, below, ignored) add_input(view, all, values, text_string(&whole), below);
+    json_decref(keys);
     for (size_t k = 0; k < all->count && !objects; k++) {
         dumped[k] = json_dumps(values[k], JSON_ENCODE_ANY | JSON_COMPACT | JSON_REAL_PRECISION(10));
         differ = differ || strcmp(dumped[k] ? dumped[k] : "", dumped[0] ? dumped[0] : "") != 0;
@@ -561,12 +558,13 @@ enum status_code report_compare(json_t **out, char *const *paths, size_t count, 
         add_input(view, &all, all.results, "", "version");
         add_input(view, &all, all.results, "", "leading");
         add_input(view, &all, all.results, "", "scene");
-        for (size_t k = 0; k < all.count; k++)
-            json_object_foreach(all.surfaces[k], name, ignored)
-            {
-                if (!is_known(all.surfaces, k, name) && all.items <= limit_most(LIMIT_COMPARED))
-                    add_surface(view, &all, name);
-            }
+        json_t *names = keys_of(all.surfaces, all.count);
+        json_object_foreach(names, name, ignored)
+        {
+            if (all.items <= limit_most(LIMIT_COMPARED))
+                add_surface(view, &all, name);
+        }
+        json_decref(names);
         view_flag(view, "nothing_differs", !all.differ);
         view_flag(view, "beside", all.any);
     }

@@ -46,8 +46,7 @@ struct comparison_pair comparison_of_two(const struct estimate *a, const struct 
     const struct interval first = {.mean = a->mean, .s = a->s, .degrees = a->degrees},
                           second = {.mean = b->mean, .s = b->s, .degrees = b->degrees};
     struct ranking welch = ranking_welch(&first, &second, estimate_level);
-    return (struct comparison_pair){ranking_verdict(welch.difference, welch.p, estimate_level), welch.ratio, welch.low,
-                                    welch.high, welch.p};
+    return (struct comparison_pair){welch.ratio, welch.low, welch.high, welch.p};
 }
 
 /** The scatter that surfaces of one scan have on average, where there are some: three or more. One scan's own comes
@@ -85,10 +84,8 @@ enum status_code comparison_test(struct comparison *ranking, const struct estima
     if (rc == STATUS_OK)
         rc = ranking_holm(p, p, pairs, status);
     for (size_t k = 0; k < pairs && rc == STATUS_OK; k++) {
-        struct comparison_pair *pair = &ranking->pairs[k];
-        pair->p = p[k];
-        pair->verdict = ranking_verdict(log(pair->ratio), pair->p, estimate_level);
-        apart[k] = comparison_told_apart(pair);
+        ranking->pairs[k].p = p[k];
+        apart[k] = comparison_told_apart(&ranking->pairs[k]);
     }
     if (rc == STATUS_OK && count <= COMPARISON_RANKED_MOST)
         rc = ranking_groups_make(&ranking->groups, apart, count, status);
@@ -99,7 +96,7 @@ enum status_code comparison_test(struct comparison *ranking, const struct estima
 
 bool comparison_told_apart(const struct comparison_pair *pair)
 {
-    return pair->verdict != RANKING_NOT_TOLD_APART;
+    return pair->p <= 1 - estimate_level;
 }
 
 const struct comparison_pair *comparison_pair_of(const struct comparison *ranking, size_t i, size_t j)

@@ -8,7 +8,6 @@
 
 /** How two surfaces compare, by Welch's test. */
 struct comparison_pair {
-    enum ranking_verdict verdict;
     double ratio, low, high; /* of the better one's answer to the other's, and its 95 % interval, of this pair alone */
     double p;                /* after Holm's adjustment over all pairs */
 };

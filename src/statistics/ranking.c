@@ -29,13 +29,6 @@ struct ranking ranking_welch(const struct interval *a, const struct interval *b,
     return out;
 }
 
-enum ranking_verdict ranking_verdict(double difference, double p, double level)
-{
-    if (p > 1 - level || difference == 0)
-        return RANKING_NOT_TOLD_APART;
-    return difference < 0 ? RANKING_FIRST_LOWER : RANKING_FIRST_HIGHER;
-}
-
 enum status_code ranking_holm(double *adjusted, const double *p, size_t count, struct status *status)
 {
     for (size_t i = 0; i < count; i++)

@@ -5,8 +5,6 @@
 
 #include "statistics/interval.h"
 
-enum ranking_verdict { RANKING_NOT_TOLD_APART, RANKING_FIRST_LOWER, RANKING_FIRST_HIGHER };
-
 /** Two surfaces by the logarithms of an answer. */
 struct ranking {
     double difference, s, degrees; /* mean of the first less that of the second, its standard error */
@@ -18,9 +16,6 @@ struct ranking {
  * each: t = (a - b)/sqrt(s_a² + s_b²), degrees = (s_a² + s_b²)²/(s_a⁴/f_a + s_b⁴/f_b). Without scatter p is 0, or 1
  * where the means are equal. */
 struct ranking ranking_welch(const struct interval *a, const struct interval *b, double level);
-
-/** RANKING_NOT_TOLD_APART for p > 1 - level (p adjusted if there are several pairs); else which is lower. */
-enum ranking_verdict ranking_verdict(double difference, double p, double level);
 
 /** Holm's step-down adjustment of `count` p values, so that p limits the chance of any false verdict among them:
  * p_(r) -> max over q <= r of min(1, (count - q + 1) p_(q)), r = 1 ... by size (Holm 1979, Scand. J. Stat. 6, 65).

@@ -23,15 +23,12 @@ TEST_CASE(test_welch)
     assert_near(out.ratio, exp(first.mean - second.mean), 1e-15);
     assert_near(log(out.high / out.ratio), interval_quantile(0.95, out.degrees) * hypot(first.s, second.s), 1e-12);
     assert_near(out.low * out.high, out.ratio * out.ratio, 1e-12);
-    assert_int_equal(ranking_verdict(out.difference, out.p, 0.95), RANKING_FIRST_LOWER);
-    assert_int_equal(ranking_verdict(out.difference, out.p, 0.99), RANKING_NOT_TOLD_APART);
 
     struct ranking swapped = ranking_welch(&second, &first, 0.95);
     assert_near(swapped.p, out.p, 1e-15);
     assert_near(swapped.t, -out.t, 1e-15);
     assert_near(swapped.ratio, 1 / out.ratio, 1e-15);
     assert_near(swapped.low, 1 / out.high, 1e-12);
-    assert_int_equal(ranking_verdict(swapped.difference, swapped.p, 0.95), RANKING_FIRST_HIGHER);
 }
 
 /* Equal spreads and counts: Student's test. The interval holds a ratio of 1 exactly when p exceeds 1 - level. */
@@ -53,10 +50,8 @@ TEST_CASE(test_welch_without_spread)
     struct interval first = scans(a, 3), second = scans(b, 2), third = scans(c, 3);
     struct ranking out = ranking_welch(&first, &second, 0.95);
     assert_true(out.p == 0 && out.t == -DBL_MAX && out.low == out.ratio && out.high == out.ratio);
-    assert_int_equal(ranking_verdict(out.difference, out.p, 0.95), RANKING_FIRST_LOWER);
     out = ranking_welch(&first, &first, 0.95);
     assert_true(out.p == 1 && out.t == 0 && out.ratio == 1);
-    assert_int_equal(ranking_verdict(out.difference, out.p, 0.95), RANKING_NOT_TOLD_APART);
     out = ranking_welch(&first, &third, 0.95); /* one spreads: its degrees of freedom */
     assert_near(out.degrees, 2, 1e-12);
 }
