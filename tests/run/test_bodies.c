@@ -184,33 +184,3 @@ TEST_IN_DIRECTORY(whose_mean_free_path)
                     "specific_heat: 227, sound_speed: 2730, mean_free_path: 5 nm}\neffects: [scale-dependent]\n");
     expect_not_in_file(place, "out/report.md", "mean free path");
 }
-
-/** The last row of the block of a chart's data that begins at `at`: x and y. */
-static const char *last_row(const char *at, double *x, double *y)
-{
-    const char *end = strstr(at, "\n\n\n");
-    assert_non_null(end);
-    for (const char *row = at; row && row < end; row = strchr(row, '\n')) {
-        char *next;
-        row += *row == '\n';
-        *x = strtod(row, &next);
-        *y = strtod(next + 1, NULL);
-    }
-    return end + 3;
-}
-
-/* The data of a chart are in the units of its axes: profiles in mm, and spectra, in the next block, in µm. */
-TEST_IN_DIRECTORY(charts_stand_over_the_unit_of_their_axis)
-{
-    enum { POINTS = 400 };
-    double x = 0, y = 0;
-    pipeline_rough(place, "in/a.csv", POINTS, 1, 11);
-    pipeline_report(place, "in", "out", "models: [corrected-persson]\nlevel: none\n");
-    expect_in_file(place, "out/figures/surfaces.gp", "set xlabel 'position (mm)'", "set xlabel 'wavelength (µm)'");
-    char *data = directory_read(place, "out/figures/surfaces.csv"), *scan = directory_read(place, "in/a.csv");
-    const char *next = last_row(data, &x, &y);
-    assert_near(x, 5e-4 * (POINTS - 1), 1e-9);
-    assert_near(y, strtod(strrchr(scan, ',') + 1, NULL), 1e-6); /* µm */
-    last_row(next, &x, &y);
-    assert_near(x, 1, 0.01); /* two spacings */
-}
