@@ -494,8 +494,7 @@ void answers_check_limits(struct surface_record *record, const struct scene *sce
                                                 task->loads[model_task_operating(task)]);
 }
 
-void answers_note(struct text *out, const struct answer *answer, double nominal_area_m2, double load_scale,
-                  const char *load_unit)
+void answers_note(struct text *out, const struct answer *answer, double nominal_area_m2)
 {
     double spots = answer->spots_per_m2 * nominal_area_m2;
     if (answer->kind == ANSWER_NONE)
@@ -504,8 +503,7 @@ void answers_note(struct text *out, const struct answer *answer, double nominal_
     if (answer->kind == ANSWER_LIGHTEST)
         text_add(out, "already at the lightest load");
     if (answer->kind == ANSWER_NOT_REACHED)
-        text_add(out, "not reached up to %s%.3g%s%s", *load_unit ? "" : "P/(A_n E') = ", answer->load * load_scale,
-                 *load_unit ? " " : "", load_unit);
+        text_add(out, "not reached up to P/(A_n E') = %.3g", answer->load);
     if (answer->most)
         text_add(out, "at the latest");
     const char *before = answer->kind == ANSWER_LOAD && !answer->most ? "" : "; ";

@@ -55,10 +55,9 @@ void answers_check_limits(struct surface_record *record, const struct scene *sce
 
 /** Fewer spots than these are too few for statistics. */
 extern const double answers_least_spots;
-/** Adds remarks on the answer's load, or nothing: "not reached up to 0.1 N; beyond the model's validity; too few spots
- * for statistics (9.1)". Loads are shown in `load_unit` ("": P/(A_n E')), load_scale units to one P/(A_n E'). */
-void answers_note(struct text *out, const struct answer *answer, double nominal_area_m2, double load_scale,
-                  const char *load_unit);
+/** Adds remarks on the answer's load, or nothing: "not reached up to P/(A_n E') = 0.1; beyond the model's validity; too
+ * few spots for statistics (9.1)". */
+void answers_note(struct text *out, const struct answer *answer, double nominal_area_m2);
 
 /** Does the interval (or the value, without one) keep the limit? */
 enum limit_verdict answers_judge(const struct limit_check *check, const struct scene_asked *limit);

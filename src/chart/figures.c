@@ -457,7 +457,9 @@ static void make_models(struct chart *chart, const struct source *source)
                           .notes = valid ? 0 : NOTE(FIGURE_OUTSIDE)};
         if (!plan_runs_model(results->plan, m) || !(row.value > 0) || !isfinite(row.value))
             continue;
-        asked_interval(row.ends, asked, results, m, results->baseline);
+        const struct estimate *estimate =
+            curve_summary_estimate(surface_model(&source->baseline->summary, m), (int)asked->quantity);
+        asked_ends(row.ends, asked, (const double[]){estimate_end(estimate, 0), estimate_end(estimate, 1)});
         row.place = m == source->leading && !known ? -1 : fabs(log(row.value / (known ? direct : leading)));
         rows[count++] = row;
     }

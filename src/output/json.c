@@ -260,7 +260,7 @@ static json_t *surface_json(const struct results *results, size_t index, struct 
     if (s->pair.hardness_Pa > 0 && s->pair.hardness_Pa != scene_pair(&scene->bodies).hardness_Pa)
         json_set(json, "hardness_Pa", s->pair.hardness_Pa);
     json_object_update_new(json, record_json(surface_fields, s));
-    json_set(json, "heights_factor_ecr", comparison_heights_factor(results, index, QUANTITY_ECR));
+    json_set(json, "heights_factor_ecr", comparison_heights_factor(results, index));
     json_set(json, "rsk", roughness_skewness(&s->roughness));
     json_set(json, "rku", roughness_kurtosis(&s->roughness));
     json_object_set_new(json, "fit", fit_json(record, scene->fit));

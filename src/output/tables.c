@@ -232,7 +232,7 @@ static void fill_surface(struct table *table, const struct results *results, siz
     put_text(table, "surface", s->scene->name);
     put_text(table, "files", text_string(&files));
     put_fields(table, surface_fields, s, tables_surface_when(results));
-    put_number(table, "heights_factor_ecr", comparison_heights_factor(results, index, QUANTITY_ECR));
+    put_number(table, "heights_factor_ecr", comparison_heights_factor(results, index));
     for (size_t m = 0; m < model_count; m++)
         if (plan_runs_model(plan, m) && (model_rows[m]->quantities & QUANTITY_BIT(QUANTITY_ADJUSTED)))
             put(table, "beta_", model_rows[m]->name, surface_model(s, m)->exists ? surface_model(s, m)->beta : NAN);
@@ -325,19 +325,19 @@ enum status_code curve_tables_put(struct curve_tables *all, const struct surface
     return status->code;
 }
 
-enum status_code curve_tables_open(struct curve_tables **out, const struct results *results, const struct plan *plan,
-                                   const char *directory, struct status *status)
+enum status_code curve_tables_open(struct curve_tables **out, const struct results *results, const char *directory,
+                                   struct status *status)
 {
     static const char *const names[] = {"spectrum.csv", "contact.csv", "bands.csv"};
     struct curve_tables *all = *out = calloc(1, sizeof *all);
     if (!all)
         return status_memory(status);
     all->results = results;
-    all->quantities = plan_quantities(plan);
+    all->quantities = plan_quantities(results->plan);
     for (int t = 0; t < CURVE_TABLES; t++)
         all->table[t] = table_make(results, directory, names[t]);
     for (enum quantity q = 0; q < QUANTITY_COUNT; q++)
-        if ((quantity_rows[q].is & QUANTITY_BANDED) && (plan->wanted & QUANTITY_BIT(q)))
+        if ((quantity_rows[q].is & QUANTITY_BANDED) && (results->plan->wanted & QUANTITY_BIT(q)))
             all->band_quantities |= QUANTITY_BIT(q);
     return STATUS_OK;
 }
@@ -361,7 +361,7 @@ static enum status_code put_surface(void *context, size_t index, struct threads_
 static enum status_code write_curves(const struct results *results, const char *directory, struct status *status)
 {
     struct curve_tables *all;
-    if (curve_tables_open(&all, results, results->plan, directory, status) == STATUS_OK)
+    if (curve_tables_open(&all, results, directory, status) == STATUS_OK)
         (void)!threads_run(&results->threads, results->surface_count, put_surface, all, status);
     return curve_tables_close(all, status);
 }
@@ -498,7 +498,7 @@ static void put_answer(struct table *table, const struct results *results, const
     double load = met ? answer->load : NAN, area_m2 = results->scene->nominal_area_m2;
     struct text asked = {0}, note = {0};
     text_add(&asked, "%s %s", target->how->key, target->text);
-    answers_note(&note, answer, area_m2, 1, "");
+    answers_note(&note, answer, area_m2);
     const struct answer_row row = {
         .surface = s->scene->name,
         .model = model_rows[m]->name,
@@ -631,6 +631,18 @@ json_t *tables_json(const struct results *results, enum tables_objects what)
     return table.objects;
 }
 
+/** Is any surface's number known with an interval, by several scans, a map's direct solution or simulated records? */
+static bool has_intervals(const struct results *results)
+{
+    for (size_t i = 0; i < results->surface_count; i++) {
+        const struct surface_summary *summary = &results->surfaces[i].summary;
+        if (summary->usable && (summary->repeats.scans > 1 || summary->has_tiles ||
+                                (summary->single_points > 0 && plan_runs(results->plan, EFFECT_UNCERTAINTY))))
+            return true;
+    }
+    return false;
+}
+
 enum status_code tables_write(const struct results *results, const char *directory, struct status *status)
 {
     const size_t surfaces = results->surface_count, studies = results->direct_count;
@@ -648,7 +660,7 @@ enum status_code tables_write(const struct results *results, const char *directo
         {"direct.csv", studies * DIRECT_STUDY_KINDS, fill_direct},
         {"direct_ratio.csv", studies, fill_direct_ratio},
         {"cost.csv", results->benchmark ? results->benchmark->count : 0, fill_cost},
-        {"spread.csv", results_intervals(results) ? surfaces : 0, fill_spread},
+        {"spread.csv", has_intervals(results) ? surfaces : 0, fill_spread},
     };
     enum status_code rc = scene_bins_spectra(results->scene) ? STATUS_OK : write_curves(results, directory, status);
     for (size_t f = 0; f < sizeof files / sizeof *files && rc == STATUS_OK; f++) {

@@ -10,10 +10,10 @@
 /** spectrum.csv, contact.csv and, where a curve has an interval, bands.csv below `directory`, surface by surface. */
 struct curve_tables;
 
-/** Makes them, with the columns of `plan`; `directory`, which has a data/, is not copied. Owned: curve_tables_close(),
- * whatever comes back. Error: STATUS_MEMORY. */
+/** Makes them, with the columns of the plan; `directory`, which has a data/, is not copied. Owned:
+ * curve_tables_close(), whatever comes back. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code curve_tables_open(struct curve_tables **out, const struct results *results,
-                                              const struct plan *plan, const char *directory, struct status *status);
+                                              const char *directory, struct status *status);
 /** Writes one surface's rows, from any thread, in the order of turns. Errors: STATUS_IO, STATUS_MEMORY.
  */
 MUST_CHECK enum status_code curve_tables_put(struct curve_tables *tables, const struct surface_record *record,

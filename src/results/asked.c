@@ -118,14 +118,6 @@ void asked_ends(double out[2], const struct asked *asked, const double of[2])
         out[side] = asked_shown(asked, of[asked->reciprocal ? !side : side]);
 }
 
-void asked_interval(double out[2], const struct asked *asked, const struct results *results, size_t model,
-                    size_t surface)
-{
-    const struct curve_summary *curve = surface_model(&results->surfaces[surface].summary, model);
-    const struct estimate *estimate = curve_summary_estimate(curve, (int)asked->quantity);
-    asked_ends(out, asked, (const double[]){estimate_end(estimate, 0), estimate_end(estimate, 1)});
-}
-
 struct asked_load asked_load_of(const struct results *results, size_t surface)
 {
     const struct scene *scene = results->scene;

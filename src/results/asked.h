@@ -26,10 +26,6 @@ double asked_shown(const struct asked *asked, double value);
 
 /** Ends of an interval of its quantity, low first, as shown, low first. */
 void asked_ends(double out[2], const struct asked *asked, const double of[2]);
-/** The same where the summary stands, of a model on a surface. */
-void asked_interval(double out[2], const struct asked *asked, const struct results *results, size_t model,
-                    size_t surface);
-
 /** The unit of loads: the scene's (of `load`, else of `operating_load`), else N with a nominal area, else MPa, else
  * P/(A_n E'). */
 struct asked_load {

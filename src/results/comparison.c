@@ -31,13 +31,13 @@ bool comparison_overloaded(const struct results *results, size_t model, size_t s
                                material_pair_pressure(pair, at.value[QUANTITY_LOAD]) / pair->hardness_Pa);
 }
 
-double comparison_heights_factor(const struct results *results, size_t surface, enum quantity quantity)
+double comparison_heights_factor(const struct results *results, size_t surface)
 {
     size_t leading = plan_leading_model(results->plan), gaussian = model_index(model_rows[leading]->gaussian);
     if (!plan_runs_model(results->plan, gaussian))
         return NAN;
-    double factor = comparison_middle(results, leading, surface).value[quantity] /
-                    comparison_middle(results, gaussian, surface).value[quantity];
+    double factor = comparison_middle(results, leading, surface).value[QUANTITY_ECR] /
+                    comparison_middle(results, gaussian, surface).value[QUANTITY_ECR];
     return isfinite(factor) ? factor : NAN; /* a filler keeps the metals apart in one of them */
 }
 

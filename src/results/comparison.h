@@ -43,9 +43,9 @@ bool comparison_told_apart(const struct comparison_pair *pair);
 
 /** What a model says of a surface at the operating load; quantity_nothing() where it has no point. */
 struct contact_point comparison_middle(const struct results *results, size_t model, size_t surface);
-/** A quantity of the leading model over that of its `gaussian` at the surface's operating load: what the heights do;
- * NaN: one of them has none. */
-double comparison_heights_factor(const struct results *results, size_t surface, enum quantity quantity);
+/** ECR of the leading model over that of its `gaussian` at the surface's operating load: what the heights do; NaN: one
+ * of them has none. */
+double comparison_heights_factor(const struct results *results, size_t surface);
 /** Does a model's contact there bear more than the hardness (model_is_overloaded())? */
 bool comparison_overloaded(const struct results *results, size_t model, size_t surface);
 /** Value of a quantity of a model's point, as tables and charts show it. */

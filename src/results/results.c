@@ -51,17 +51,6 @@ size_t results_sweep_scales(size_t *index, size_t most, size_t scales)
     return count;
 }
 
-bool results_intervals(const struct results *results)
-{
-    for (size_t i = 0; i < results->surface_count; i++) {
-        const struct surface_summary *summary = &results->surfaces[i].summary;
-        if (summary->usable && (summary->repeats.scans > 1 || summary->has_tiles ||
-                                (summary->single_points > 0 && plan_runs(results->plan, EFFECT_UNCERTAINTY))))
-            return true;
-    }
-    return false;
-}
-
 const double *results_loads(const struct results *results, size_t surface)
 {
     return results->loads + (results->loads_apart ? surface * results->load_count : 0);

@@ -98,7 +98,4 @@ size_t results_sweep_size(const struct results *results);
  */
 size_t results_sweep_scales(size_t *index, size_t most, size_t scales);
 
-/** Is any surface's number known with an interval, by several scans, a map's direct solution or simulated records? */
-bool results_intervals(const struct results *results);
-
 #endif

@@ -367,7 +367,7 @@ enum status_code all_surfaces_run(struct all_surfaces *out, const struct scene *
     ran.running = out->plan.running;
     ran.wanted = out->plan.wanted;
     all.plan = &ran; /* each surface runs those of its models that can answer */
-    if (curves && curve_tables_open(&all.tables, results, &out->plan, curves, status) != STATUS_OK)
+    if (curves && curve_tables_open(&all.tables, results, curves, status) != STATUS_OK)
         return curve_tables_close(all.tables, status);
     enum status_code rc = threads_run(threads, scene->surface_count, run_one, &all, status);
     if (curve_tables_close(all.tables, status) != STATUS_OK)

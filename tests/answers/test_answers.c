@@ -101,11 +101,10 @@ static const struct answer *answer(size_t target, const char *model)
     return &f.record.summary.answers[target * model_count + model_named(model)];
 }
 
-static void assert_note(const char *expected, const struct answer *given, double area_m2, double scale,
-                        const char *unit)
+static void assert_note(const char *expected, const struct answer *given, double area_m2)
 {
     struct text *note = support_text();
-    answers_note(note, given, area_m2, scale, unit);
+    answers_note(note, given, area_m2);
     assert_string_equal(text_string(note), expected);
 }
 
@@ -160,9 +159,9 @@ TEST_CASE(the_reference_forces)
         assert_near(spots, table_number(&table, i, "spots"), 1e-10);
         if (target_ohm == 1e-3) {
             assert_within(answer(ecr, "cmy")->load * to_N, 40.5e-3, 0.05e-3);
-            assert_note("too few spots for statistics (9.1)", answer(ecr, "cmy"), area_m2, 1, "");
+            assert_note("too few spots for statistics (9.1)", answer(ecr, "cmy"), area_m2);
         } else if (target_ohm == 3e-4) { /* 26 spots */
-            assert_note("", answer(ecr, "cmy"), area_m2, 1, "");
+            assert_note("", answer(ecr, "cmy"), area_m2);
         }
     }
 }
@@ -219,9 +218,9 @@ TEST_CASE(no_load_within_the_list)
     assert_int_equal(answer(far, "corrected-persson")->kind, ANSWER_NOT_REACHED);
     assert_true(answer(far, "corrected-persson")->load == f.loads[LOADS - 1]);
     assert_int_equal(answer(far, "jg")->kind, ANSWER_NONE);
-    assert_note("not reached up to 0.1 N; above the hardness", answer(far, "corrected-persson"), NAN, 10, "N");
-    assert_note("already at the lightest load; above the hardness", answer(light, "gw"), NAN, 1, "");
-    assert_note("no value", answer(far, "jg"), NAN, 1, "");
+    assert_note("not reached up to P/(A_n E') = 0.01; above the hardness", answer(far, "corrected-persson"), NAN);
+    assert_note("already at the lightest load; above the hardness", answer(light, "gw"), NAN);
+    assert_note("no value", answer(far, "jg"), NAN);
     f.task.load_count = 1; /* one load: met there, or not */
     find();
     assert_int_equal(answer(light, "gw")->kind, ANSWER_LIGHTEST);
@@ -362,8 +361,8 @@ TEST_CASE(spots_are_those_at_the_answers_load)
         assert_true(fabs(log(cmy->spots_per_m2 / plastic->spots_per_m2)) > 0.1);
         assert_int_equal(elastic->counted_by, model_named("cmy"));
         assert_near(elastic->spots_per_m2, spots_at(scans, "cmy", elastic->load), 1e-12);
-        assert_note("too few spots for statistics (9.5)", plastic, 9.5 / plastic->spots_per_m2, 1, "");
-        assert_note("", plastic, 10.5 / plastic->spots_per_m2, 1, "");
+        assert_note("too few spots for statistics (9.5)", plastic, 9.5 / plastic->spots_per_m2);
+        assert_note("", plastic, 10.5 / plastic->spots_per_m2);
         surface_model_room(&f.record.summary, model_named("cmy"))->invalid_load = f.loads[0];
         find();
         assert_true(isnan(answer(target, "corrected-persson-plastic")->spots_per_m2));
@@ -443,7 +442,7 @@ TEST_CASE(full_contact_meets_every_resistance_above_the_film)
         assert_near(found->load, full, found->most ? 1e-9 : 1e-4); /* next to nothing just before it */
     }
     assert_true(answer(above, "jg")->most);
-    assert_note("at the latest; beyond the model's validity", answer(above, "jg"), NAN, 1, "");
+    assert_note("at the latest; beyond the model's validity", answer(above, "jg"), NAN);
     assert_int_equal(answer(below, "jg")->kind, ANSWER_NOT_REACHED);
     assert_true(answer(below, "jg")->load == f.loads[LOADS - 1]);
     assert_int_equal(answer(below, "corrected-persson-plastic")->kind, ANSWER_NOT_REACHED); /* which never closes */
@@ -586,11 +585,11 @@ TEST_CASE(a_bond_line_thicker_than_the_gap)
             const struct answer *found = answer(none[k], name);
             if (found->kind != ANSWER_NONE || !found->held || !isnan(found->load) || !isnan(found->spots_per_m2))
                 fail_msg("%s, target %d: kind %d, %g", name, k, (int)found->kind, found->load);
-            assert_note("no load reaches it: the gap stays at the bond line of the filler", found, 1e-6, 1, "N");
+            assert_note("no load reaches it: the gap stays at the bond line of the filler", found, 1e-6);
         }
         assert_int_equal(answer(below, name)->kind, ANSWER_LIGHTEST);
         assert_true(isnan(answer(below, name)->spots_per_m2));
-        assert_note("already at the lightest load", answer(below, name), 1e-6, 1, "N");
+        assert_note("already at the lightest load", answer(below, name), 1e-6);
         for (int k = 0; k < 4; k++)
             if (f.record.summary.limits[k].verdict != verdicts[k])
                 fail_msg("%s, limit %d: %d", name, k, (int)f.record.summary.limits[k].verdict);

@@ -87,7 +87,7 @@ PLACED(test_loads_of_sweeps)
 PLACED(test_heights_factor)
 {
     made_up_make(&made, NULL);
-    assert_true(isnan(comparison_heights_factor(&made.results, 1, QUANTITY_ECR))); /* multiscale leads */
+    assert_true(isnan(comparison_heights_factor(&made.results, 1))); /* multiscale leads */
     struct curve_summary strip = {.exists = true}, gaussian = {.exists = true};
     size_t s = model_named("strip"), g = model_named("corrected-persson");
     struct curve_summary **models = made_up_surface(&made, 1)->models, *before[] = {models[s], models[g]};
@@ -96,13 +96,13 @@ PLACED(test_heights_factor)
     models[s] = &strip;
     models[g] = &gaussian;
     made.plan.models |= MODEL_BIT(s) | MODEL_BIT(g);
-    double factor = comparison_heights_factor(&made.results, 1, QUANTITY_ECR);
+    double factor = comparison_heights_factor(&made.results, 1);
     strip.operating.value[QUANTITY_ECR] = INFINITY; /* a filler keeps the metals apart */
-    double apart = comparison_heights_factor(&made.results, 1, QUANTITY_ECR);
+    double apart = comparison_heights_factor(&made.results, 1);
     gaussian.exists = false;
-    double without = comparison_heights_factor(&made.results, 1, QUANTITY_ECR);
+    double without = comparison_heights_factor(&made.results, 1);
     made.plan.models &= ~MODEL_BIT(g);
-    double alone = comparison_heights_factor(&made.results, 1, QUANTITY_ECR);
+    double alone = comparison_heights_factor(&made.results, 1);
     models[s] = before[0];
     models[g] = before[1];
     assert_near(factor, 3, 1e-12);
