@@ -861,10 +861,9 @@ static void put_numbers(char *out, size_t size, const struct chart *chart)
 
 static void draw_file(const struct source *source, const char *name)
 {
-    struct text command = {0};
-    text_add(&command, "load '%s.gp'\n", name);
-    gnuplot_send(source->task->gnuplot, text_string(&command));
-    text_free(&command);
+    char command[FIGURE_NAME + 16];
+    snprintf(command, sizeof command, "load '%s.gp'\n", name);
+    gnuplot_send(source->task->gnuplot, command);
 }
 
 /** Writes the files of a chart with anything to see and has gnuplot draw it; with letters too for a `terminal`. */

@@ -9,11 +9,6 @@
 #include <math.h>
 #include <string.h>
 
-static void set_word(json_t *object, const char *key, const char *word)
-{
-    json_object_set_new(object, key, json_string(word));
-}
-
 json_t *json_material(const struct material *material)
 {
     json_t *json = json_pack("{s:o}", "name", json_shown(material->name));
@@ -40,7 +35,7 @@ json_t *json_joint(const struct results *results)
     const bool gap = plan_runs(results->plan, EFFECT_GAP), heating = plan_runs(results->plan, EFFECT_HEATING);
     if (gap) {
         const char *names[] = {[JOINT_VACUUM] = "vacuum", [JOINT_GAS] = "", [JOINT_MEDIUM] = "medium"};
-        set_word(json, "gap", joint->gas ? joint->gas->name : names[joint->fill]);
+        json_object_set_new(json, "gap", json_string(joint->gas ? joint->gas->name : names[joint->fill]));
         if (joint->fill == JOINT_GAS) {
             json_set(json, "gap_pressure_Pa", joint->pressure_Pa);
             json_set(json, "accommodation", joint->accommodation);
@@ -110,9 +105,9 @@ static json_t *scene_json(const struct results *results)
     json_set(json, "shape_bulge_per_m", scene->joint.bulge_per_m > 0 ? scene->joint.bulge_per_m : NAN);
     json_set(json, "effective_modulus_Pa", pair.unknown ? NAN : pair.effective_modulus_Pa);
     json_set(json, "hardness_Pa", pair.unknown ? NAN : pair.hardness_Pa);
-    set_word(json, "spectra", scene_bins_spectra(scene) ? "bins" : "every harmonic");
+    json_object_set_new(json, "spectra", json_string(scene_bins_spectra(scene) ? "bins" : "every harmonic"));
     if (scene_bins_spectra(scene))
-        set_word(json, "curves", "in data/contact.csv alone");
+        json_object_set_new(json, "curves", json_string("in data/contact.csv alone"));
     json_set(json, "lay", scene->lay_given ? scene->lay : NAN);
     json_object_set_new(json, "baseline", json_shown(results->surfaces[results->baseline].summary.scene->name));
     if (scene->measured.files.count == 1)
