@@ -138,6 +138,13 @@ json_t *json_at(const json_t *root, const char *path)
     return (json_t *)at;
 }
 
+const char *json_text_at(const json_t *json, const char *path)
+{
+    if (!json_is_string(json_at(json, path)))
+        fail_msg("no text '%s'", path);
+    return json_string_value(json_at(json, path));
+}
+
 double json_number_at(const json_t *root, const char *path)
 {
     const json_t *number = json_at(root, path);

@@ -118,6 +118,8 @@ json_t *support_json(const char *text);
 json_t *json_at(const json_t *root, const char *path);
 /** The same as a number; NaN: it is none. */
 double json_number_at(const json_t *root, const char *path);
+/** The text at a path of json_at(); fails the test where there is none. */
+const char *json_text_at(const json_t *json, const char *path);
 
 struct gas;
 struct parameters;

@@ -128,13 +128,6 @@ void process_expect_parts(struct process process, bool out, const char *const *p
     support_parts(out ? process.out : process.err, parts, true, file, line);
 }
 
-const char *json_text_at(const json_t *json, const char *path)
-{
-    if (!json_is_string(json_at(json, path)))
-        fail_msg("no text '%s'", path);
-    return json_string_value(json_at(json, path));
-}
-
 static bool is_row_name(const char *key, bool properties)
 {
     bool is = strcmp(key, "area") == 0; /* the base of the table of work */

@@ -23,33 +23,17 @@ static int place_setup(void **state)
     return 0;
 }
 
-static const json_t *json_surface(const json_t *root, const char *name)
-{
-    const json_t *surfaces = json_object_get(root, "surfaces");
-    for (size_t i = 0; i < json_array_size(surfaces); i++) {
-        const json_t *surface = json_array_get(surfaces, i);
-        if (strcmp(json_string_value(json_object_get(surface, "surface")), name) == 0)
-            return surface;
-    }
-    fail_msg("no surface '%s' in results.json", name);
-    return NULL;
-}
-
 TEST_CASE(test_the_json_names_program_scene_and_input)
 {
     json_t *root = directory_json(*state, "out/results.json");
-    const json_t *scene = json_object_get(root, "scene");
-    assert_string_equal(json_string_value(json_object_get(root, "program")), "roughcontact");
-    assert_true(strlen(json_string_value(json_object_get(root, "version"))) > 0);
-    assert_int_equal(json_array_size(json_object_get(scene, "loads_over_AnEp")), 11);
+    assert_string_equal(json_text_at(root, "program"), "roughcontact");
+    assert_true(strlen(json_text_at(root, "version")) > 0);
+    assert_int_equal(json_array_size(json_at(root, "scene/loads_over_AnEp")), 11);
     assert_int_equal(json_array_size(json_object_get(root, "refused")), 0);
-    assert_true(json_is_true(json_object_get(json_object_get(json_object_get(scene, "effects"), "thermal"), "runs")));
-    assert_near(json_number_value(json_object_get(json_object_get(scene, "material"), "E_Pa")),
-                material_find("tin")->youngs_modulus_Pa, 0);
-    for (size_t i = 0; i < 3; i++) {
-        const json_t *surface = json_array_get(json_object_get(root, "surfaces"), i);
-        assert_int_equal(strlen(json_string_value(json_object_get(surface, "sha256"))), 64);
-    }
+    assert_true(json_is_true(json_at(root, "scene/effects/thermal/runs")));
+    assert_near(json_number_at(root, "scene/material/E_Pa"), material_find("tin")->youngs_modulus_Pa, 0);
+    for (size_t i = 0; i < 3; i++)
+        assert_int_equal(strlen(json_text_at(root, filled("surfaces/%zu/sha256", i))), 64);
 }
 
 /* What the scene says is told again, whatever its kind. Keys with readers of their own are here by their names in
@@ -91,9 +75,9 @@ TEST_CASE(test_every_key_of_the_scene_is_told)
         plain += said.kind != SCENE_SAID_APART;
     }
     assert_true(plain > 15);
-    assert_near(json_number_value(json_object_get(scene, "max_missing")), 0.1, 0);
-    assert_string_equal(json_string_value(json_object_get(scene, "direction")), "x");
-    assert_string_equal(json_string_value(json_object_get(scene, "title")), "in");
+    assert_near(json_number_at(scene, "max_missing"), 0.1, 0);
+    assert_string_equal(json_text_at(scene, "direction"), "x");
+    assert_string_equal(json_text_at(scene, "title"), "in");
 }
 
 /** The number in the cell of a row of Markdown, the first 0, as 1.2 or 1.2·10⁻⁵; NaN: none. */
@@ -161,24 +145,22 @@ TEST_CASE(test_the_pages_units)
         for (size_t n = 0; n < sizeof numbers / sizeof *numbers; n++) {
             const double shown = cell_of(row, column_of(rows, numbers[n].head));
             if (isfinite(shown))
-                assert_within(shown, json_number_value(json_object_get(surface, numbers[n].key)) * numbers[n].scale,
-                              5e-3 * fabs(shown));
+                assert_within(shown, json_number_at(surface, numbers[n].key) * numbers[n].scale, 5e-3 * fabs(shown));
         }
         double delta_um = cell_of(row, column_of(rows, "Δ (µm)"));
         if (!isfinite(delta_um))
             continue;
-        assert_within(json_number_value(json_object_get(surface, "alpha_SI")) *
-                          pow(wavelength_um * 1e-6, json_number_value(json_object_get(surface, "gamma"))) * 1e6,
+        assert_within(json_number_at(surface, "alpha_SI") *
+                          pow(wavelength_um * 1e-6, json_number_at(surface, "gamma")) * 1e6,
                       delta_um, 0.02 * delta_um);
         laws++;
     }
     assert_int_equal(i, 3);
     assert_true(laws > 0);
     for (size_t n = 0; n < sizeof properties / sizeof *properties; n++)
-        assert_near(cell_of(tin, n),
-                    json_number_value(json_object_get(material, properties[n].key)) * properties[n].scale, 5e-3);
+        assert_near(cell_of(tin, n), json_number_at(material, properties[n].key) * properties[n].scale, 5e-3);
     for (size_t n = 0; n < sizeof pair / sizeof *pair; n++)
-        assert_near(cell_of(tin, 5 + n), json_number_value(json_object_get(scene, pair[n].key)) * pair[n].scale, 5e-3);
+        assert_near(cell_of(tin, 5 + n), json_number_at(scene, pair[n].key) * pair[n].scale, 5e-3);
 }
 
 /* Single scans too are told apart by Welch's test, of all pairs: then 1 lies outside the interval of their ratio. */
@@ -200,15 +182,14 @@ TEST_CASE(test_the_ratios)
     assert_true(i > 1);
 }
 
-/** ECR at the operating load. */
-static double middle_ecr(const json_t *root, const json_t *models, const char *model)
+/** ECR of the one surface at the operating load, from the model's curve. */
+static double middle_ecr(const json_t *root, const char *model)
 {
-    const json_t *ecr = json_object_get(json_object_get(models, model), "ecr_ohm_m2");
-    const json_t *loads = json_object_get(json_object_get(models, model), "load_over_AnEp");
-    double load = json_number_value(json_object_get(json_object_get(root, "scene"), "operating_load_over_AnEp"));
-    for (size_t i = 0; i < json_array_size(loads); i++)
-        if (json_number_value(json_array_get(loads, i)) == load)
-            return json_number_value(json_array_get(ecr, i));
+    const json_t *curves = json_at(root, filled("surfaces/0/models/%s", model));
+    for (size_t i = 0; i < json_array_size(json_object_get(curves, "load_over_AnEp")); i++)
+        if (json_number_at(curves, filled("load_over_AnEp/%zu", i)) ==
+            json_number_at(root, "scene/operating_load_over_AnEp"))
+            return json_number_at(curves, filled("ecr_ohm_m2/%zu", i));
     fail_msg("%s has no point at the operating load", model);
     return NAN;
 }
@@ -218,12 +199,11 @@ TEST_CASE(test_the_leading_model_and_the_heights)
 {
     json_t *root = directory_json(*state, "out/results.json"),
            *elastic = directory_json(*state, "out-electrical/results.json");
-    assert_string_equal(json_string_value(json_object_get(root, "leading")), "strip-plastic");
-    assert_string_equal(json_string_value(json_object_get(elastic, "leading")), "strip");
-    const json_t *surface = json_surface(elastic, "smooth"), *models = json_object_get(surface, "models");
-    assert_within(json_number_value(json_object_get(json_object_get(models, "strip"), "area_load_slope")), 1, 0.1);
-    assert_near(json_number_value(json_object_get(surface, "heights_factor_ecr")),
-                middle_ecr(elastic, models, "strip") / middle_ecr(elastic, models, "corrected-persson"), 1e-12);
+    assert_string_equal(json_text_at(root, "leading"), "strip-plastic");
+    assert_string_equal(json_text_at(elastic, "leading"), "strip");
+    assert_within(json_number_at(elastic, "surfaces/0/models/strip/area_load_slope"), 1, 0.1);
+    assert_near(json_number_at(elastic, "surfaces/0/heights_factor_ecr"),
+                middle_ecr(elastic, "strip") / middle_ecr(elastic, "corrected-persson"), 1e-12);
 }
 
 TEST_GROUP(place_setup, directory_teardown)

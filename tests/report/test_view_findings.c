@@ -33,7 +33,7 @@ static void assert_found(const char *name, const char *expected)
     struct text *said = support_text();
     json_array_foreach(json_object_get(made.view, "findings"), i, item)
     {
-        found = strcmp(json_string_value(json_object_get(item, "name")), name) == 0 ? item : found;
+        found = strcmp(json_text_at(item, "name"), name) == 0 ? item : found;
     }
     if (!found != !expected)
         fail_msg("%s: %s", name, found ? "found" : "not found");
@@ -48,10 +48,8 @@ static void assert_found(const char *name, const char *expected)
         text_add(said, ", %lld alike", (long long)json_integer_value(json_object_get(found, "ties")));
     json_array_foreach(json_object_get(found, "numbers"), k, number)
     {
-        const json_t *range = json_object_get(number, "range");
         text_add(said, k == 0 ? ": " : "; ");
-        number_format_range(said, json_number_value(json_object_get(range, "least")),
-                            json_number_value(json_object_get(range, "most")), 2);
+        number_format_range(said, json_number_at(number, "range/least"), json_number_at(number, "range/most"), 2);
     }
     if (strcmp(text_string(said), expected) != 0)
         fail_msg("%s: '%s', not '%s'", name, text_string(said), expected);
