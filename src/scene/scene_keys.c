@@ -95,7 +95,7 @@ static bool read_effects(struct scene_source *source, const struct scene_key *ke
                                 "'effects' names none; give 'auto' or names such as 'electrical,thermal'");
 }
 
-/* Names of programs, joined: report/export.h knows which there are. */
+/* Names of programs, joined: export_check() knows which there are. */
 static bool read_export(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value, void *field)
 {
     struct text names = {0};
