@@ -10,12 +10,12 @@
 
 static const char minus[] = "−";
 
-static void add_power_of_ten(struct text *out, int exponent)
+void number_power_of_ten(struct text *out, int exponent)
 {
     static const char *const superscripts[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
     char digits[16];
     snprintf(digits, sizeof digits, "%d", abs(exponent));
-    text_add(out, "·10%s", exponent < 0 ? "⁻" : "");
+    text_add(out, "10%s", exponent < 0 ? "⁻" : "");
     for (const char *digit = digits; *digit; digit++)
         text_add(out, "%s", superscripts[*digit - '0']);
 }
@@ -49,9 +49,9 @@ void number_format(struct text *out, double value, int digits)
     }
     snprintf(buffer, sizeof buffer, plain ? "%.*f" : "%.*e", plain ? (int)fmax(0, digits - 1 - exponent) : digits - 1,
              fabs(value));
-    text_add(out, "%s%.*s", value < 0 ? minus : "", (int)strcspn(buffer, "e"), buffer);
+    text_add(out, "%s%.*s%s", value < 0 ? minus : "", (int)strcspn(buffer, "e"), buffer, plain ? "" : "·");
     if (!plain)
-        add_power_of_ten(out, exponent);
+        number_power_of_ten(out, exponent);
 }
 
 void number_format_uncertain(struct text *out, double value, double error)
@@ -66,8 +66,8 @@ void number_format_uncertain(struct text *out, double value, double error)
     text_add(out, "%s%s%.*f ± %.*f", power ? "(" : "", value < 0 ? minus : "", decimals, fabs(value) / scale, decimals,
              error / scale);
     if (power) {
-        text_add(out, ")");
-        add_power_of_ten(out, power);
+        text_add(out, ")·");
+        number_power_of_ten(out, power);
     }
 }
 

@@ -10,6 +10,8 @@
 void number_format(struct text *out, double value, int digits);
 /** "0.00600 ± 0.00094": both with the same exponent and decimals, at least two digits of either. */
 void number_format_uncertain(struct text *out, double value, double error);
+/** "10⁻⁵". */
+void number_power_of_ten(struct text *out, int exponent);
 /** "least to most", or one number when both are the same to the digits shown. */
 void number_format_range(struct text *out, double least, double most, int digits);
 

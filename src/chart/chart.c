@@ -203,9 +203,7 @@ void chart_name_row(struct chart *chart, double y, const char *name)
 /** A tic's number: plain from 0.001 to 9999, else a power of ten; in ASCII on a terminal. */
 static json_t *tick_label(double at, bool logarithmic, bool letters)
 {
-    static const char *const raised[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
     double size = fabs(at);
-    char plain[40];
     struct text out = {0};
     if (letters)
         text_add(&out, "%.6g", at);
@@ -215,10 +213,7 @@ static json_t *tick_label(double at, bool logarithmic, bool letters)
         int power = (int)floor(log10(size) + 1e-9), digit = (int)lround(size / pow(10, power));
         if (digit != 1)
             text_add(&out, "%d·", digit);
-        text_add(&out, "10%s", power < 0 ? "⁻" : "");
-        snprintf(plain, sizeof plain, "%d", abs(power));
-        for (const char *c = plain; *c; c++)
-            text_add(&out, "%s", raised[*c - '0']);
+        number_power_of_ten(&out, power);
     }
     json_t *label = json_string(text_string(&out));
     text_free(&out);
