@@ -76,8 +76,8 @@ struct known known_shown(const struct results *results, const struct asked *aske
                          size_t surface);
 /** Digits of a value as shown: two where the interval beside it is wider than ×÷ 1.2, else three. */
 int known_digits(const struct known *known);
-/** Judges the limits of a surface by its measurement, where it has one of their quantity, and takes the load of a target
- * from it where it reaches that: spots are in proportion to load. */
+/** Judges the limits of a surface by its measurement, where it has one of their quantity, and takes the load of a
+ * target from it where it reaches that: spots are in proportion to load. */
 void known_take_measured(struct results *results, size_t surface);
 /** The load at which a target is met, by the leading model or the measurement. */
 struct known known_load(const struct results *results, const struct scene_asked *target, size_t surface);

@@ -155,7 +155,8 @@ TEST_IN_PLACE(a_limit_says_what_is_asked)
     } rows[] = {
         {"", "| contact resistance at 10.0\u00a0N (", "ecr_ohm_m2"},
         {"limits: {ecr: {most: 1 mohm}}\n", "| contact resistance at 10.0\u00a0N (", "ecr_ohm_m2"},
-        {"limits: {tcr: {most: 20 mm2 K/W}}\n", "| thermal contact resistance at 10.0\u00a0N (mm² K/W, ", "tcr_K_m2_per_W"},
+        {"limits: {tcr: {most: 20 mm2 K/W}}\n", "| thermal contact resistance at 10.0\u00a0N (mm² K/W, ",
+         "tcr_K_m2_per_W"},
         {"limits: {conductance: {least: 1 kW/m2/K}}\n", "| contact conductance at 10.0\u00a0N (kW/", "tcr_K_m2_per_W"},
         {"limits: {area: {most: 5 %}}\n", "| contact area at 10.0\u00a0N (%", "ecr_ohm_m2"},
         {"limits: {tcr: {most: 20 mm2 K/W}}\ntargets: [{ecr: 1 mohm}]\n", "| contact resistance at 10.0\u00a0N (mΩ, ",
