@@ -398,7 +398,10 @@ static void add_input(json_t *view, struct compared *all, json_t *const *of, con
         objects = json_is_object(values[k]) && objects && whole.length < PATH_MOST;
     }
     json_t *keys = keys_of(values, objects ? all->count : 0);
-    json_object_foreach(keys, below, ignored) add_input(view, all, values, text_string(&whole), below);
+    json_object_foreach(keys, below, ignored)
+    {
+        add_input(view, all, values, text_string(&whole), below);
+    }
     json_decref(keys);
     for (size_t k = 0; k < all->count && !objects; k++) {
         dumped[k] = json_dumps(values[k], JSON_ENCODE_ANY | JSON_COMPACT | JSON_REAL_PRECISION(10));

@@ -357,9 +357,8 @@ TEST_IN_PLACE(a_shape_without_an_answer)
     static const struct {
         const char *more, *said;
     } rows[] = {
-        {"shape: {crown: 1 mm}\n",
-         "no shape with JG: at 0.098 MPa its pressures do not converge; narrow 'load', or "
-         "correct 'shape'\n"},
+        {"shape: {crown: 1 mm}\n", "no shape with JG: at 0.098 MPa its pressures do not converge; narrow 'load', or "
+                                   "correct 'shape'\n"},
         {"shape: {flatness: 9 um, over: 20 mm}\nhardness: 2 MPa\n",
          "no shape with JG: from 0.098 MPa on over 5 % of the load lies where 'shape' presses at the hardness; begin "
          "'load' lower, or correct 'shape' or 'hardness'\n"},
