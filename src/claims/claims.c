@@ -474,7 +474,12 @@ static bool rank(struct claims *c)
     put_surface(c, ranking->surface[0]);
     put_text(c, "next", name_of(c, ranking->surface[1]));
     (void)put_names(c, &like);
-    put_number(c, "p", p, fmax(p, 1e-4), 2, "");
+    json_set(c->numbers, "p", p);
+    struct text shown = {0};
+    text_add(&shown, p < 0.01 ? "<\u00a0" : like.count > 1 ? "≥\u00a0" : "=\u00a0");
+    number_format(&shown, fmin(fmax(p, 0.01), like.count > 1 ? 0.99 : 1), 2);
+    put_text(c, "p", text_string(&shown));
+    text_free(&shown);
     c->key = like.count == 0                   ? "best"
              : like.count + 1 < ranking->count ? "same-some"
              : ranking->count == 2             ? "same-two"
