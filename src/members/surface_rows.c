@@ -14,11 +14,11 @@ static void note_scan(struct surface_summary *summary, const struct scan *scan, 
 {
     const bool map = scan->kind == SCAN_AREAL;
     char one[512];
-    snprintf(one, sizeof one, map ? "%.480s, profile %zu" : "%.480s%.0zu", file, map ? row + 1 : 0);
+    snprintf(one, sizeof one, "%.480s, profile %zu", file, row + 1);
     for (size_t w = 0; w < scan->warning_count; w++)
         note_add(&summary->notes, file, "note.text\ntext\t%s", scan->warnings[w]);
     for (size_t n = 0; n < profile->note_count; n++)
-        note_add(&summary->notes, one, "note.text\ntext\t%s", profile->notes[n]);
+        note_add(&summary->notes, map ? one : file, "note.text\ntext\t%s", profile->notes[n]);
 }
 
 /** Thins the profile for its chart: the lowest and the highest point of every few, in order. */
