@@ -164,7 +164,7 @@ static enum status_code add_solution(struct strip_curve *curve, struct direct_co
     area = fmax(area, least_share * (double)found->contact_points / (double)points);
     if (found->contact_points == points)
         return STATUS_OK;
-    if (direct_constriction_of_contact(&length_m, contact, sqrt(2 * load->tolerance), load->stop, status) != STATUS_OK)
+    if (direct_constriction_of_contact(&length_m, contact, 2 * load->tolerance, load->stop, status) != STATUS_OK)
         return status->code;
     if (!(length_m > 0 && gap_m > 0) || (curve->count > 0 && !(logit(area) < curve->logit[at + 1])))
         return STATUS_OK;

@@ -61,10 +61,10 @@ static enum status_code iterate(double *length_m, struct direct_contact *contact
         residual[k] = kernel->field[set[k]] - potential;
     for (int iteration = 0;; iteration++) {
         double most = 0;
-        for (size_t k = 0; k < count; k++)
+        for (size_t k = 0; contact->response && k < count; k++)
             most = fabs(residual[k]) > most ? fabs(residual[k]) : most;
         *length_m = potential + dot(contact, current, residual) / points;
-        if (most <= tolerance * fabs(*length_m))
+        if (contact->response && most <= sqrt(tolerance) * fabs(*length_m))
             return STATUS_OK;
         if (stop && *stop)
             return status_fail(status, STATUS_INTERRUPTED, "stopped");
@@ -72,6 +72,8 @@ static enum status_code iterate(double *length_m, struct direct_contact *contact
             return status_fail(status, STATUS_MODEL,
                                "the constriction of %zu contact points does not converge; use a finer grid", count);
         double mean = convolve(&product, contact, residual, true);
+        if (!contact->response && product <= tolerance * points * fabs(*length_m))
+            return STATUS_OK;
         for (size_t k = 0; k < count; k++)
             direction[k] = kernel->field[set[k]] - mean + product / last * direction[k];
         last = product;

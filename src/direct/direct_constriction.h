@@ -14,11 +14,13 @@
 
 #include "direct/direct_contact.h"
 
-/** Constriction length of the points p > 0 of a solved contact, by preconditioned conjugate gradients until the
- * potential on the set is constant to the share `tolerance`; l = <j, u>/<j> is then good to the square of that. 0 where
- * every point is in contact. gap_m of the contact is overwritten, its pressure stays; j becomes the response of a
- * strip. Iterations and convolutions are added to those of the contact. Errors: STATUS_MODEL: no convergence;
- * STATUS_INTERRUPTED when *stop (NULL: never) becomes non-zero; STATUS_MEMORY. */
+/** Constriction length l = <j, u>/<j> of the points p > 0 of a solved contact, by preconditioned conjugate gradients
+ * until it is too large by at most the share `tolerance`: for a residual r of the potential that is <r, K^-1 r> on the
+ * set, and <r, |q| r>, which the iteration knows, is never less. Of a strip, which needs j itself, until the potential
+ * is constant to the root of that share; l is then as good. 0 where every point is in contact. gap_m of the contact is
+ * overwritten, its pressure stays; j becomes the response of a strip. Iterations and convolutions are added to those of
+ * the contact. Errors: STATUS_MODEL: no convergence; STATUS_INTERRUPTED when *stop (NULL: never) becomes non-zero;
+ * STATUS_MEMORY. */
 MUST_CHECK enum status_code direct_constriction_of_contact(double *length_m, struct direct_contact *contact,
                                                            double tolerance, const atomic_bool *stop,
                                                            struct status *status);

@@ -109,8 +109,8 @@ static enum status_code solve_load(struct direct_point *out, struct direct_conta
     out->quantities = direct_quantities_of(contact, &load);
     if (!def->without_patches && direct_patches(&out->patches, contact, status) != STATUS_OK)
         return status->code;
-    if (def->resistance && direct_constriction_of_contact(&out->constriction_m, contact, sqrt(def->tolerance),
-                                                          def->stop, status) != STATUS_OK)
+    if (def->resistance &&
+        direct_constriction_of_contact(&out->constriction_m, contact, def->tolerance, def->stop, status) != STATUS_OK)
         return status->code;
     out->convolutions = contact->convolutions;
     return STATUS_OK;

@@ -36,7 +36,7 @@ struct direct_ladder_def {
     const double *load; /* p̄/E', ascending */
     size_t loads;
     double hardness;  /* H/E'; INFINITY: elastic */
-    double tolerance; /* of the contact; its root serves the constriction, which is good to the square of its own */
+    double tolerance; /* of the contact, and of the constriction length */
     bool resistance;
     const atomic_bool *stop; /* NULL: never */
     bool without_patches;    /* which are not counted then */

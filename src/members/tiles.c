@@ -11,7 +11,11 @@
 
 const double tiles_budget = 5e10;
 
-enum { LEAST_SIDE = 32, LEAST_POINTS = 12 /* in contact; with fewer a solution is not used */ };
+enum {
+    LEAST_SIDE = 32,
+    LEAST_POINTS = 12, /* in contact; with fewer a solution is not used */
+    BEYOND = 2         /* above the hardness every second load is solved elastically, and steps may be twice as wide: */
+}; /* 18 % less of a default report, elastic answers there within 4 %, those with the hardness within .4 % */
 
 static const double tolerance = 3e-4;             /* changes no answer by 0.5 %; 1e-3 changes a resistance by 0.63 % */
 static const double coarse = 0.9, closest = 1.15; /* steps of logit A, and loads */
@@ -169,7 +173,7 @@ static enum status_code spectrum_of_all(struct spectrum *out, const struct tiles
 struct ladder {
     double load[TRANSFER_LOADS];
     size_t loads;
-    double hardness;
+    double hardness, finest; /* INFINITY: elastic; above this load steps are coarser: BEYOND */
     const atomic_bool *stop;
 };
 
@@ -188,13 +192,14 @@ static enum status_code solve_load(struct transfer_point *out, struct direct_con
 }
 
 /** First load after which contact grows by more than interpolation can follow; 0: nowhere. */
-static size_t coarsest(const struct transfer_point *point, size_t loads)
+static size_t coarsest(const struct transfer_point *point, size_t loads, double finest)
 {
     size_t at = 0;
     double most = coarse;
     for (size_t k = 1; k < loads; k++) {
         double area[2] = {fmin(point[k - 1].area_ratio, enough), fmin(point[k].area_ratio, enough)};
         double grown = log(area[1] / area[0] * (1 - area[0]) / (1 - area[1]));
+        grown /= point[k - 1].load < finest ? 1 : BEYOND;
         if (isnan(point[k - 1].area_ratio) || point[k].load < closest * point[k - 1].load || !(grown > most))
             continue;
         most = grown;
@@ -219,7 +224,7 @@ static enum status_code solve(struct transfer_point *out, const struct direct_ma
             out[i].area_ratio > enough)
             break;
     while (refine && status->code == STATUS_OK && ladder->loads < TRANSFER_LOADS &&
-           (at = coarsest(out, ladder->loads)) > 0) {
+           (at = coarsest(out, ladder->loads, ladder->finest)) > 0) {
         double load = sqrt(ladder->load[at - 1] * ladder->load[at]);
         memmove(out + at + 1, out + at, (ladder->loads - at) * sizeof *out);
         memmove(ladder->load + at + 1, ladder->load + at, (ladder->loads++ - at) * sizeof *ladder->load);
@@ -420,9 +425,12 @@ static enum status_code solve_all(struct work *work, const struct threads *threa
         describe(&work->square[0], &work->first, status) != STATUS_OK)
         return status->code;
     const double gradient = sqrt(2 * spectrum_moment(&work->square[0].spectrum, 1));
-    for (size_t k = 0; k < TRANSFER_LADDER; k++)
-        ladder[0].load[k] = transfer_ladder[k] * gradient;
-    ladder[0].loads = TRANSFER_LADDER;
+    for (size_t k = 0; k < TRANSFER_LADDER; k++) {
+        double load = transfer_ladder[k] * gradient;
+        bool beyond = ladder[0].loads > 0 && ladder[0].load[ladder[0].loads - 1] >= ladder[0].finest;
+        if (!beyond || (TRANSFER_LADDER - 1 - k) % BEYOND == 0)
+            ladder[0].load[ladder[0].loads++] = load;
+    }
     ladder[1].loads = transfer_capped_loads(ladder[1].load, gradient, ladder[1].hardness);
     work->kinds = ladder[1].loads > 0 ? 2 : 1;
     (void)!threads_run(threads, work->kinds * (work->count + DIRECT_MAP_PARTS - DIRECT_MAP_SECOND), solve_task, work,
@@ -432,12 +440,12 @@ static enum status_code solve_all(struct work *work, const struct threads *threa
 
 static enum status_code run(struct tiles *tiles, double hardness, const struct threads *threads, struct status *status)
 {
-    struct work work = {
-        .tiles = tiles,
-        .count = tiles->columns * tiles->rows,
-        .ladder = {{.hardness = INFINITY, .stop = threads->stop}, {.hardness = hardness, .stop = threads->stop}},
-        .lock = PTHREAD_MUTEX_INITIALIZER,
-        .learned = PTHREAD_COND_INITIALIZER};
+    struct work work = {.tiles = tiles,
+                        .count = tiles->columns * tiles->rows,
+                        .ladder = {{.hardness = INFINITY, .finest = hardness, .stop = threads->stop},
+                                   {.hardness = hardness, .finest = INFINITY, .stop = threads->stop}},
+                        .lock = PTHREAD_MUTEX_INITIALIZER,
+                        .learned = PTHREAD_COND_INITIALIZER};
     struct transfer *transfer = tiles->transfer = calloc(1, sizeof *transfer);
     work.square = calloc(work.count, sizeof *work.square);
     enum status_code rc = work.square && transfer ? solve_all(&work, threads, status) : status_memory(status);

@@ -94,3 +94,24 @@ TEST_CASE(derivative_of_the_gap)
     }
     direct_contact_free(&contact);
 }
+
+/** The length is too large, by at most the tolerance; a wider one takes fewer iterations. */
+TEST_CASE(tolerance_bounds_the_error)
+{
+    double *height = recipe_surface(64);
+    for (double p = 0.01; p < 0.35; p *= 3) {
+        struct direct_contact contact = contact_of(height, 64, 64);
+        struct direct_contact_load load = load_of(p, INFINITY, 1e-10);
+        size_t before = SIZE_MAX;
+        (void)solved(&contact, &load);
+        const double exact = constriction_of(&contact, 1e-13);
+        for (double tolerance = 1e-5; tolerance < 1; tolerance *= 10) {
+            contact.iterations = 0;
+            double error = constriction_of(&contact, tolerance) / exact - 1;
+            assert_true(error > -1e-10 && error <= tolerance && error >= tolerance / 1000);
+            assert_true(contact.iterations <= before);
+            before = contact.iterations;
+        }
+        direct_contact_free(&contact);
+    }
+}

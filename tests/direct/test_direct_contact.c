@@ -100,7 +100,7 @@ TEST_CASE(sinusoidal_cell)
         assert_within(found.gap_m / 0.01, table_number(&table, row, "gap_over_amplitude"), n < 512 ? 1e-11 : 1e-9);
         assert_within(direct_area_corrected(&found, n * n, direct_kappa_yastrebov),
                       table_number(&table, row, "area_corrected"), 1e-11);
-        assert_cell(2 * sqrt(2) * M_PI * constriction_of(&contact, 1e-8), table, row, "minus_dgap_dx_fixed_set", 1e-9);
+        assert_cell(2 * sqrt(2) * M_PI * constriction_of(&contact, 1e-12), table, row, "minus_dgap_dx_fixed_set", 1e-9);
         if (n == 512) {
             assert_within(found.gap_m / 0.01, table_number(&table, row, "gap_golden_1024"), 1.5e-6);
             assert_within(direct_area_corrected(&found, n * n, direct_kappa_yastrebov),
