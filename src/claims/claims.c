@@ -831,7 +831,9 @@ static double share_of(const struct claims *c, size_t surface)
 static bool share(struct claims *c)
 {
     const struct extent extent = extent_of(c, share_of, INFINITY);
-    put_range(c, "share", extent.least, extent.most, 2, c->row->unit);
+    const bool near_one = fabs(extent.least - 1) < 0.05 && fabs(extent.most - 1) < 0.05; /* not "by 1.0" */
+    put_range(c, "share", extent.least, extent.most, near_one && c->row->effect == EFFECT_PLATING ? 3 : 2,
+              c->row->unit);
     (void)put_names(c, &extent.on);
     put(c, "nominal", c->results->scene->nominal_area_m2);
     put(c, "current", c->results->scene->joint.current_A);
@@ -985,6 +987,24 @@ static void add_both(struct claims *c, const char *string)
     text_add(&c->markdown, "%s", string);
 }
 
+/** Says of how many more surfaces a claim that stops at one holds. */
+static void add_others(struct claims *c)
+{
+    struct claims other = begin(c->results, c->comparison, c->words);
+    size_t count = 0;
+    for (size_t i = c->i + 1; i < c->results->surface_count && c->row->level == stop; i++) {
+        start(&other, c->row, i);
+        count += c->results->surfaces[i].summary.usable && c->row->when(&other) && strcmp(other.key, c->key) == 0;
+    }
+    start(&other, NULL, 0);
+    text_free(&c->told);
+    if (count == 0)
+        return;
+    put_count(c, "others", count);
+    add_both(c, " ");
+    (void)add_words(c, "claims.others");
+}
+
 /** Puts the claim behind those of its level with as much weight or more; one that weighs more than the whole interval
  * goes first of all. */
 static void insert(json_t *list, double *weights, const struct claims *c, size_t level_first, double interval)
@@ -1023,6 +1043,8 @@ enum status_code claims_make(json_t **out, const struct results *results, const 
             start(&c, row, i);
             char name[80];
             said = row->when(&c) && snprintf(name, sizeof name, "claim.%s", c.key) > 0 && add_words(&c, name);
+            if (said && surfaces)
+                add_others(&c);
             text_strip_marks(&c.text);
             if (said)
                 insert(list, weights, &c, first, row->when == not_flat_assumed ? interval : 0);
