@@ -31,6 +31,7 @@ struct compared {
     json_t *models;                 /* by which the reports are compared, once each */
     bool beside;                    /* few enough to stand side by side */
     bool any, differ, loads_differ; /* any: a number is in two reports; differ: anything */
+    bool joined;                    /* a report has film or plating */
 };
 
 enum { TEXT_MOST = 60, STRING_MOST = 1000, PATH_MOST = 400, MADE = 5, NAMED_MOST = 10 };
@@ -87,6 +88,7 @@ struct side {
     const char *scans;     /* their hash */
     double pressure_Pa;    /* P/A_n of the report's operating load; P/(A_n E') where no material is known */
     bool elsewhere;        /* the number is not there, but at the other's */
+    bool joint;            /* it is a resistance with film or plating */
     double value, ends[2]; /* of its 95 % interval; NaN: not known */
     struct estimate known; /* of ln value */
 };
@@ -114,14 +116,17 @@ static double on_curve(const json_t *values, size_t before, double share)
 static struct side side_of(const struct compared *all, size_t k, const char *name, const struct number *number,
                            const struct side *reference)
 {
-    const enum quantity quantity = number->quantity;
     const json_t *surface = json_object_get(all->surfaces[k], name), *model = get(surface, "models", model_of(all, k));
     const json_t *operating = json_object_get(model, "operating");
+    const bool bare = !json_object_get(operating, quantity_rows[QUANTITY_JOINT_ECR].name); /* no film, no plating */
+    const bool joint = number->quantity == QUANTITY_JOINT_ECR;
+    const enum quantity quantity = joint && bare ? QUANTITY_ECR : number->quantity;
     double own_Pa = real(json_object_get(surface, "effective_modulus_Pa"));
     double all_Pa = real(get(all->results[k], "scene", "effective_modulus_Pa"));
     double modulus_Pa = own_Pa > 0 ? own_Pa : all_Pa > 0 ? all_Pa : 1;
     struct contact_point at;
-    struct side out = {.scans = string(surface, "sha256"), .ends = {NAN, NAN}, .known = estimate_none};
+    struct side out = {
+        .scans = string(surface, "sha256"), .joint = joint && !bare, .ends = {NAN, NAN}, .known = estimate_none};
     if (number->field) {
         out.value = real(json_object_get(surface, number->field->key));
         return out;
@@ -157,10 +162,10 @@ struct ranked {
     size_t order; /* as given */
 };
 
-/** Takes what a report's surfaces are ranked by at the pressure of the very first: ECR, TCR or area. */
+/** Takes what a report's surfaces are ranked by at the pressure of the very first: ECR of the joint, TCR or area. */
 static enum status_code take_ranked(struct compared *all, size_t k, const char *path, struct status *status)
 {
-    static const enum quantity criteria[] = {QUANTITY_ECR, QUANTITY_TCR, QUANTITY_AREA};
+    static const enum quantity criteria[] = {QUANTITY_JOINT_ECR, QUANTITY_TCR, QUANTITY_AREA};
     const char *name;
     json_t *ignored;
     json_object_foreach(all->surfaces[k], name, ignored)
@@ -195,6 +200,7 @@ static enum status_code take_ranked(struct compared *all, size_t k, const char *
             (struct ranked){line, side, rises ? -side.value : side.value, all->ranked_count};
         all->ranked_count++;
         all->loads_differ = all->loads_differ || side.elsewhere;
+        all->joined = all->joined || side.joint;
     }
     return STATUS_OK;
 }
@@ -288,8 +294,9 @@ static enum status_code add_ranking(json_t *view, struct compared *all, struct s
         if (all->ranked[i].side.known.count > 0)
             known[ranking.count++] = &all->ranked[i].side.known;
     enum status_code rc = comparison_test(&ranking, known, status);
-    view_text(out, "quantity", quantity_shown_name(all->criterion));
-    view_text(out, "symbol", quantity_rows[all->criterion].short_symbol);
+    const enum quantity by = all->criterion == QUANTITY_JOINT_ECR && !all->joined ? QUANTITY_ECR : all->criterion;
+    view_text(out, "quantity", quantity_shown_name(by));
+    view_text(out, "symbol", quantity_rows[by].short_symbol);
     view_text(out, "unit", unit);
     view_some(out, "untested", all->ranked_count - ranking.count);
     view_some(out, "too_many", ranking.count > COMPARISON_RANKED_MOST ? COMPARISON_RANKED_MOST : 0);
@@ -444,7 +451,7 @@ static void add_surface(json_t *view, struct compared *all, const char *name)
     for (size_t i = 0; i < sizeof keys / sizeof *keys && !alone; i++)
         add_input(view, all, of, name, keys[i]);
     for (enum quantity q = 0; q < QUANTITY_COUNT; q++)
-        if (quantity_rows[q].handy.scale > 0)
+        if (quantity_rows[q].handy.scale > 0 && (q != QUANTITY_JOINT_ECR || all->joined))
             add_number(item, all, name, &(struct number){.quantity = q});
     for (const struct record_field *field = surface_fields; field->key; field++)
         if (field->digits > 0)
