@@ -701,6 +701,7 @@ static bool direct(struct claims *c)
         put_number(c, names[k], value[k], own ? asked_shown(&c->asked, value[k]) : value[k] * unit.scale, 2,
                    own ? c->asked.unit : unit.unit);
     put_load(c, "load", c->i, solved.load, 3);
+    c->key = quantity == asked ? "direct" : "direct-bare";
     return true;
 }
 
