@@ -1,23 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Times the direct solution: convolutions, CPU and elapsed time, memory held, and what is aimed at; and how whole
- * reports grow with what they are of. cmake --workflow --preset bench. Times are the least of several runs; those of
- * the methods for a model's integrals stand in any report's cost.csv. */
+/* Times the direct solution: convolutions, CPU and elapsed time, memory held, and what is aimed at; parts that are not
+ * flat, and stacks of scales. cmake --workflow --preset bench, with growth.sh, of whole reports. Times are the least of
+ * several runs; those of the methods for a model's integrals stand in any report's cost.csv. */
 #include "base/clock.h"
 #include "contact/multiscale.h"
 #include "direct/direct_ensemble.h"
 #include "joint/shape.h"
-#include "profile/synth.h"
-#include "run/run.h"
 
-#include <ftw.h>
 #include <malloc.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
-#include <sys/stat.h>
 #include <time.h>
-#include <unistd.h>
 
 enum {
     EVERYTHING = QUANTITY_BIT(QUANTITY_SEPARATION) | QUANTITY_RESISTANCES,
@@ -188,148 +182,6 @@ static void direct_cases(void)
     print_direct("12 x 256 x 256, 13 loads, resistance, 2 threads", &ladder, "3500 ms");
 }
 
-/* ---------------------------------------------------------------- growth */
-
-/** A scan, of one spacing whatever its length, of a law so flat that a stack is visited far down, and so kinked that
- * captions speak of it. */
-static void write_scan(const char *path, size_t points, unsigned long seed)
-{
-    struct synth_def def = synth_def_default();
-    struct status status = {0};
-    double *height_m = malloc(points * sizeof *height_m);
-    FILE *file = fopen(path, "w");
-    if (!height_m || !file)
-        exit(1);
-    def.length_m *= (double)points / (double)def.points;
-    def.points = points;
-    def.gamma = 1.2;
-    def.seed = seed;
-    while (synth_profile(height_m, &def, &status) != STATUS_OK) /* not of every seed can it be made level */
-        def.seed += 1000;
-    fputs("x [um],z [um]\n", file);
-    for (size_t i = 0; i < points; i++)
-        fprintf(file, "%.9g,%.9g\n", def.length_m * 1e6 / (double)points * (double)i, height_m[i] * 1e6);
-    if (fclose(file) != 0)
-        exit(1);
-    free(height_m);
-}
-
-/** A map of n x n points of one spacing, as GSF. */
-static void write_map(const char *path, size_t n, unsigned long seed)
-{
-    struct direct_spectrum spectrum = direct_case_spectrum(n);
-    struct status status = {0};
-    double *height_m = malloc(n * n * sizeof *height_m);
-    FILE *file = fopen(path, "wb");
-    if (!height_m || !file)
-        exit(1);
-    must(direct_surface_make(height_m, n, &(struct direct_recipe){direct_spectrum_variance, &spectrum, NULL, 0}, seed,
-                             &status));
-    int length = fprintf(file,
-                         "Gwyddion Simple Field 1.0\nXRes = %zu\nYRes = %zu\nXReal = %g\nYReal = %g\nXYUnits = m\n"
-                         "ZUnits = m\n",
-                         n, n, 1e-6 * (double)n, 1e-6 * (double)n);
-    fwrite("\0\0\0\0", 1, (size_t)(4 - length % 4), file);
-    for (size_t i = 0; i < n * n; i++)
-        fwrite(&(float){(float)height_m[i]}, sizeof(float), 1, file);
-    if (fclose(file) != 0)
-        exit(1);
-    direct_spectrum_free(&spectrum);
-    free(height_m);
-}
-
-static int remove_entry(const char *path, const struct stat *info, int type, struct FTW *level)
-{
-    (void)info, (void)type, (void)level;
-    return remove(path);
-}
-
-/** The whole, and its stages; gnuplot's charts are always as many. */
-enum { WHOLE, READ, LEVEL, SPECTRA, STRIPS, MAPS, MODELS, CONVERGENCE, COST, TABLES, CHARTS, PAGE, STAGES };
-static const char *const stage_names[STAGES] = {"whole",
-                                                "  read scans",
-                                                "  level",
-                                                "  spectra",
-                                                "  strips",
-                                                "  direct of maps",
-                                                "  models",
-                                                "  sweeps",
-                                                "  what accuracy costs",
-                                                "  tables and json",
-                                                "  chart data",
-                                                "  page"};
-
-/** Lowers `seconds` to those of one run. */
-static void take_stages(double seconds[STAGES], double cpu, const struct run_times *times)
-{
-    double run[STAGES] = {[WHOLE] = cpu,
-                          [READ] = times->read,
-                          [LEVEL] = times->prepare,
-                          [SPECTRA] = times->spectrum,
-                          [STRIPS] = times->strips,
-                          [MAPS] = times->tiles,
-                          [CONVERGENCE] = times->convergence,
-                          [COST] = times->cost,
-                          [TABLES] = times->tables,
-                          [CHARTS] = times->figures,
-                          [PAGE] = times->report};
-    for (size_t m = 0; m < model_count; m++)
-        run[MODELS] += times->models[m];
-    for (int stage = 0; stage < STAGES; stage++)
-        seconds[stage] = fmin(seconds[stage], run[stage]);
-}
-
-struct report_case {
-    size_t scans, points, loads; /* points of a profile, or of a map a side */
-    unsigned jobs;
-    bool together, map; /* all scans of one surface, else each of its own */
-};
-
-/** Times of a report: CPU time of the whole, without gnuplot's, and the stages by the clock. Returns the least elapsed
- * time. */
-static double time_report(double seconds[STAGES], const struct report_case *of)
-{
-    const char *temporary = getenv("TMPDIR");
-    char directory[256], path[300], output[300], text[200];
-    snprintf(directory, sizeof directory, "%s/roughcontact-bench-XXXXXX",
-             temporary && strlen(temporary) < 200 ? temporary : P_tmpdir);
-    struct run_options options = {.output = output, .templates = PROJECT_SOURCE "/templates", .jobs = of->jobs};
-    struct status status = {0};
-    double elapsed = INFINITY;
-    for (int stage = 0; stage < STAGES; stage++)
-        seconds[stage] = INFINITY;
-    if (!mkdtemp(directory))
-        exit(1);
-    snprintf(output, sizeof output, "%s-out", directory);
-    snprintf(text, sizeof text,
-             "material: tin\nload: {from: 1e-6, to: 0.1, points: %zu}\neffects: [plasticity, "
-             "separation, electrical, thermal, convergence]\n%s",
-             of->loads, !of->together ? "" : "surfaces: [{name: all, file: '*.csv'}]\n");
-    for (size_t i = 0; i < of->scans; i++) {
-        snprintf(path, sizeof path, "%s/%zu.%s", directory, i, of->map ? "gsf" : "csv");
-        (of->map ? write_map : write_scan)(path, of->points, 20 + i);
-    }
-    snprintf(path, sizeof path, "%s/scene.yaml", directory);
-    must(text_write_file(path, text, strlen(text), &status));
-    for (int run = 0; run < 2; run++) {
-        struct scene scene;
-        struct run_outcome outcome;
-        double started = cpu_seconds(), begun = clock_seconds();
-        if (scene_read(&scene, directory, &(struct scene_overrides){0}, &status) != STATUS_OK ||
-            run_report(&outcome, &scene, &options, &status) != STATUS_OK) {
-            printf("%s\n", status.message);
-            exit(1);
-        }
-        take_stages(seconds, cpu_seconds() - started, &outcome.times);
-        elapsed = fmin(elapsed, clock_seconds() - begun);
-        run_outcome_free(&outcome);
-        scene_free(&scene);
-    }
-    nftw(directory, remove_entry, 16, FTW_DEPTH | FTW_PHYS);
-    nftw(output, remove_entry, 16, FTW_DEPTH | FTW_PHYS);
-    return elapsed;
-}
-
 /** A stack of so many scales made and pressed at every load, of a law so flat that it is visited to its end. */
 static double stack_seconds(size_t scales)
 {
@@ -340,68 +192,6 @@ static double stack_seconds(size_t scales)
         seconds = fmin(seconds, stack_run(&spectrum, &pair, true, &(uint64_t){0}));
     spectrum_free(&spectrum);
     return seconds;
-}
-
-/** Of a fixed part and c size^k, at sizes a constant factor apart, the k: what the fixed part is drops out of the
- * differences. 1 is proportional. */
-static void print_growth(const char *name, const size_t size[3], const double seconds[3])
-{
-    printf("| %s |", name);
-    for (int i = 0; i < 3; i++)
-        printf(" %zu: %.4g s |", size[i], seconds[i]);
-    double last = seconds[2] - seconds[1], first = seconds[1] - seconds[0];
-    printf(last > 0 && first > 0 ? " %.2f |\n" : " - |\n", log(last / first) / log((double)size[2] / (double)size[1]));
-}
-
-/** The same of a report and each of its stages that comes to more than moments. */
-static void print_stages(const char *name, const size_t size[3], double seconds[3][STAGES])
-{
-    const double moments = 5e-3;
-    for (int stage = 0; stage < STAGES; stage++)
-        if (stage == WHOLE || seconds[2][stage] > moments)
-            print_growth(stage == WHOLE ? name : stage_names[stage], size,
-                         (const double[]){seconds[0][stage], seconds[1][stage], seconds[2][stage]});
-}
-
-/** Of the rows that have `wanted` in their name. */
-static void growth(const char *wanted)
-{
-    enum { SCANS, SURFACES, POINTS, SIDE, LOADS_OF, KINDS };
-    static const struct {
-        const char *name;
-        size_t size[3];
-        struct report_case of; /* with 0 for the size */
-    } kinds[KINDS] = {
-        [SCANS] = {"scans of 1000 points", {10, 100, 1000}, {0, 1000, 31, 1, true, false}},
-        [SURFACES] = {"surfaces of 1000 points", {10, 100, 1000}, {0, 1000, 31, 1, false, false}},
-        [POINTS] = {"points of one scan", {10000, 100000, 1000000}, {1, 0, 31, 1, false, false}},
-        [SIDE] = {"points a side of one map", {64, 256, 1024}, {1, 0, 31, 1, false, true}},
-        [LOADS_OF] = {"loads on one scan", {100, 1000, 10000}, {1, 4000, 0, 1, false, false}},
-    };
-    static const size_t scales[] = {1000, 10000, 100000}, jobs[] = {1, 2, 4};
-    double seconds[3], stages[3][STAGES];
-    printf("\nA whole report on tin: CPU time without gnuplot's, one thread, and its stages by the clock; aimed at: "
-           "exponents of 1.05 or less, of a map's side 2.4, net of what every report takes\n");
-    for (int k = 0; k < KINDS; k++) {
-        if (!strstr(kinds[k].name, wanted))
-            continue;
-        for (int i = 0; i < 3; i++) {
-            struct report_case of = kinds[k].of;
-            *(of.scans == 0 ? &of.scans : of.points == 0 ? &of.points : &of.loads) = kinds[k].size[i];
-            time_report(stages[i], &of);
-        }
-        print_stages(kinds[k].name, kinds[k].size, stages);
-    }
-    for (int i = 0; i < 3 && strstr("scales", wanted); i++)
-        seconds[i] = stack_seconds(scales[i]);
-    if (strstr("scales", wanted))
-        print_growth("scales of a stack", scales, seconds);
-    if (!strstr("threads", wanted))
-        return;
-    for (int i = 0; i < 3; i++)
-        seconds[i] = time_report(stages[i], &(struct report_case){100, 1000, 31, (unsigned)jobs[i], false, false});
-    printf("| threads on 100 surfaces, elapsed | 1: %.4g s | 2: %.4g s | 4: %.4g s | - |\n", seconds[0], seconds[1],
-           seconds[2]);
 }
 
 /** CPU seconds of parts with a bulge of F over 20 mm at 61 loads over two decades, pressure and resistance, in n x n
@@ -451,14 +241,12 @@ static void shapes(void)
                shape_seconds(64, bulge_um * 1e-6), shape_seconds(32, bulge_um * 1e-6));
 }
 
-/** `growth`, of how reports grow alone: the table in docs/limits.md; `growth map` one of its rows: scans, surfaces,
- * points, map, loads, scales, threads. */
-int main(int count, char **argument)
+int main(void)
 {
-    if (count < 2) {
-        direct_cases();
-        shapes();
-    }
-    growth(count > 2 ? argument[2] : "");
+    direct_cases();
+    shapes();
+    puts("\nA stack of scales made and pressed at 121 loads, CPU; aimed at: an exponent of 1.05 or less");
+    for (size_t scales = 1000; scales <= 100000; scales *= 10)
+        printf("  %6zu scales: %.4g s\n", scales, stack_seconds(scales));
     return 0;
 }
