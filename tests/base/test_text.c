@@ -255,6 +255,7 @@ TEST_CASE(test_what_cannot_be_read_is_named)
     assert_unreadable("/no such directory/scan.csv", "No such file");
     assert_unreadable("/", "directory");     /* where seeking to the end gives an absurd size */
     assert_unreadable("/proc", "directory"); /* and where it fails */
+    assert_unreadable("/dev/null", "no regular file");
 }
 
 TEST_CASE(test_what_cannot_be_written_is_named)

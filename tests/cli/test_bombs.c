@@ -298,15 +298,3 @@ TEST_IN_WORKSPACE(test_no_files)
     expect_failed(RUN(place, "plan", "d"), 3, 1, "'pipe.csv' is no regular file");
     alarm(0);
 }
-
-/* A file that is replaced by a pipe after the scene was read is not waited for: text_read_file() reads every file. */
-TEST_IN_WORKSPACE(test_reading_a_pipe)
-{
-    struct text *text = support_text();
-    struct status status = {0};
-    assert_int_equal(mkfifo(directory_path(place, "pipe"), 0666), 0);
-    alarm(250);
-    assert_int_equal(text_read_file(text, directory_path(place, "pipe"), &status), STATUS_IO);
-    alarm(0);
-    expect_part(status.message, "pipe' is no regular file");
-}

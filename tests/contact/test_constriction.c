@@ -2,19 +2,6 @@
 #include "contact/constriction.h"
 #include "model_support.h"
 
-/* Psi = (1 - sqrt(a))^(3/2) in long double. */
-TEST_CASE(test_alleviation)
-{
-    assert_near(constriction_alleviation(1, 0), 0, 0);
-    assert_near(constriction_alleviation(0, 1), 1, 0);
-    for (double area = 1e-15, before = 1, now; area < 1; area *= 1.7, before = now) {
-        long double open = 1 - sqrtl(area);
-        now = constriction_alleviation(area, 1 - area);
-        assert_near(now, (double)(open * sqrtl(open)), 1e-12);
-        assert_true(now < before); /* more contact, less constriction */
-    }
-}
-
 static struct material copper_like(double conductivity, double resistivity, double sound_speed)
 {
     struct material material = material_unknown("test");
@@ -104,19 +91,6 @@ TEST_CASE(test_two_materials)
     const struct material_pair turned = material_pair(&sides[1], MATERIAL_COUNTERFACE_ELASTIC, &sides[0]);
     const struct constriction swapped = constriction_make(&turned);
     assert_near(constriction_thermal_scale_dependent(&swapped, &sum), scale_dependent, 1e-14);
-}
-
-/* The same material on both sides is the rigid flat that conducts like it. */
-TEST_CASE(test_the_same_material_twice)
-{
-    const struct material material = copper_like(400, 2e-8, 4000);
-    const struct material_pair rigid = material_pair(&material, MATERIAL_COUNTERFACE_RIGID, NULL);
-    const struct material_pair same = material_pair(&material, MATERIAL_COUNTERFACE_ELASTIC, &material);
-    const struct constriction one = constriction_make(&rigid), two = constriction_make(&same);
-    assert_near(two.resistivity_ohm_m, one.resistivity_ohm_m, 1e-15);
-    assert_near(two.conductivity_W_per_mK, one.conductivity_W_per_mK, 1e-15);
-    assert_near(two.knudsen_length_m, one.knudsen_length_m, 1e-15);
-    assert_near(one.knudsen_length_m, 8 / (3 * M_PI) * 3 * 400 / (8000.0 * 400 * 4000), 1e-14);
 }
 
 TEST_CASE(test_unknown_properties_give_nothing)

@@ -33,29 +33,6 @@ TEST_CASE(matches_reference)
     }
 }
 
-/** A wave of amplitude D and length L touches over A where p = pi D/L sin²(pi A/2), and its strips of contact have the
- * constriction length -(L/pi) ln sin(pi A/2); the gap is the integral of twice that over the load. */
-TEST_CASE(sinusoid)
-{
-    enum { POINTS = 4096 };
-    double *height = support_room(POINTS * sizeof *height), wavelength_m = 1e-3, amplitude_m = 2e-6;
-    for (size_t k = 0; k < POINTS; k++)
-        height[k] = amplitude_m * cos(2 * M_PI * (double)k / POINTS);
-    struct direct_contact contact = strip_of(height, POINTS, wavelength_m / POINTS);
-    double full = M_PI * amplitude_m / wavelength_m;
-    for (double share = 0.01; share < 1; share += 0.14) {
-        struct direct_contact_load load = load_of(full * share, INFINITY, 1e-12);
-        struct direct_quantities found = solved(&contact, &load);
-        double sine = sqrt(share), length_m = -wavelength_m / M_PI * log(sine);
-        /* int_p^full of -(2L/pi) ln sqrt(p/full) dp */
-        double gap_m = wavelength_m / M_PI * full * (1 - share + share * log(share));
-        assert_within(((double)found.contact_points - 0.5) / POINTS, 2 / M_PI * asin(sine), 1.5 / POINTS);
-        assert_near(constriction_of(&contact, 1e-9), length_m, 5e-3);
-        assert_near(found.gap_m, gap_m, 5e-3);
-    }
-    direct_contact_free(&contact);
-}
-
 /** What stands for the inverse of the compliance on a set is symmetric, and an even field needs no pressure. */
 TEST_CASE(stiffness_of_a_set)
 {

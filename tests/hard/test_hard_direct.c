@@ -3,6 +3,7 @@
  * ends, a coarse grid; and where it has no answer, none. */
 #include "direct/direct_constriction.h"
 #include "direct/direct_ensemble.h"
+#include "direct/direct_support.h"
 #include "hard_support.h"
 
 HARD_CASES("Direct solutions")
@@ -20,15 +21,8 @@ static double *surface_of(double gamma, double waves, size_t n, uint64_t seed)
     return height;
 }
 
-static struct direct_contact contact_of(const double *height, size_t n)
-{
-    struct direct_contact contact;
-    expect_ok(direct_contact_make, &contact, height, &(struct direct_grid){n, n, 1 / (double)n, false, false});
-    return contact;
-}
-
 /** One load by the ladder, to 1e-9; every number of it is one. */
-static struct direct_point solved(struct direct_contact *contact, double load, double hardness)
+static struct direct_point solved_at(struct direct_contact *contact, double load, double hardness)
 {
     struct direct_ladder_def ladder = {&load, 1, hardness, 1e-9, true, NULL, false};
     struct direct_point point;
@@ -68,9 +62,9 @@ TEST_CASE(one_contact_point)
     static const double loads[] = {1e-100, 1e-30, 1e-12, 1e-9};
     for (size_t n = 16; n <= 64; n *= 2) {
         double *height = surface_of(1.3, 5, n, 1), top = highest(height, n), own = own_potential(n);
-        struct direct_contact contact = contact_of(height, n);
+        struct direct_contact contact = contact_of(height, n, n);
         for (size_t i = 0; i < sizeof loads / sizeof *loads; i++) {
-            struct direct_point point = solved(&contact, loads[i], INFINITY);
+            struct direct_point point = solved_at(&contact, loads[i], INFINITY);
             assert_int_equal(point.quantities.contact_points, 1);
             assert_int_equal(point.quantities.perimeter_faces, 4);
             assert_int_equal(point.patches, 1);
@@ -89,7 +83,7 @@ TEST_CASE(complete_contact_from_both_sides)
 {
     enum { N = 64 };
     double *height = surface_of(1.3, 10, N, 1), least = 0;
-    struct direct_contact contact = contact_of(height, N);
+    struct direct_contact contact = contact_of(height, N, N);
     struct direct_kernel *kernel = &contact.kernel;
     memcpy(kernel->field, contact.height_m, N * kernel->stride * sizeof(double));
     direct_kernel_convolve(kernel, DIRECT_STIFFNESS, NULL);
@@ -97,7 +91,7 @@ TEST_CASE(complete_contact_from_both_sides)
         for (size_t i = 0; i < N; i++)
             least = fmin(least, kernel->field[j * kernel->stride + i] / 2);
     for (int side = 0; side < 2; side++) {
-        struct direct_point point = solved(&contact, -least * (side ? 1 + 1e-6 : 1 - 1e-3), INFINITY);
+        struct direct_point point = solved_at(&contact, -least * (side ? 1 + 1e-6 : 1 - 1e-3), INFINITY);
         if (side == 0) {
             assert_true(point.quantities.contact_points < (size_t)N * N && point.quantities.area_ratio < 1);
             assert_true(point.quantities.gap_m > 0 && point.constriction_m > 0);
@@ -120,7 +114,7 @@ TEST_CASE(load_at_the_hardness)
     enum { N = 32 };
     static const double hardness = 0.01, shares[] = {0.5, 0.9, 0.999, 1, 1 + 1e-15, 2, 1e10};
     double *height = surface_of(1.3, 5, N, 1);
-    struct direct_contact contact = contact_of(height, N);
+    struct direct_contact contact = contact_of(height, N, N);
     for (size_t i = 0; i < sizeof shares / sizeof *shares; i++) {
         double load = shares[i] * hardness;
         struct direct_ladder_def ladder = {&load, 1, hardness, 1e-9, true, NULL, false};
@@ -129,7 +123,7 @@ TEST_CASE(load_at_the_hardness)
         if (shares[i] < 1) {
             hard_case("a mean pressure of 0.5 to 0.999 of the hardness", "iterations between capped points without end",
                       "at least p̄/H of the area in contact", "area that is missing",
-                      fmax(0, shares[i] - solved(&contact, load, hardness).quantities.area_ratio), 0);
+                      fmax(0, shares[i] - solved_at(&contact, load, hardness).quantities.area_ratio), 0);
             continue;
         }
         expect_ok(direct_ladder_run, &point, &contact, &ladder);
@@ -176,15 +170,15 @@ TEST_CASE(exponents_at_both_ends)
     static const double gammas[] = {0.5, 1, 2};
     for (size_t e = 0; e < 3; e++) {
         double *height = surface_of(gammas[e], 20, N, 3), gradient = 0, last = 0;
-        struct direct_contact contact = contact_of(height, N);
+        struct direct_contact contact = contact_of(height, N, N);
         struct direct_law law = {1e-3, gammas[e], 1 / 20.0, 1, 1};
         for (size_t m = 1; m <= direct_law_harmonics(&law); m++) /* 2 m2 of the rows */
             gradient += pow(2 * M_PI * (double)m * direct_law_amplitude(&law, m), 2);
         gradient = sqrt(gradient);
         for (double p = 0.01; p < 0.2; p *= 2.5) { /* over the gradient */
-            struct direct_point point = solved(&contact, p * gradient, INFINITY);
-            struct direct_point low = solved(&contact, p * gradient * (1 - 1e-3), INFINITY),
-                                high = solved(&contact, p * gradient * (1 + 1e-3), INFINITY);
+            struct direct_point point = solved_at(&contact, p * gradient, INFINITY);
+            struct direct_point low = solved_at(&contact, p * gradient * (1 - 1e-3), INFINITY),
+                                high = solved_at(&contact, p * gradient * (1 + 1e-3), INFINITY);
             double slope = (high.quantities.gap_m - low.quantities.gap_m) / (2e-3 * p * gradient);
             assert_true(point.quantities.contact_points >= 100);
             /* at the last the longest wave is nearly all: one Hertzian patch has more area at low load */
@@ -220,7 +214,7 @@ TEST_CASE(no_answer)
     struct direct_ensemble found;
     struct status status = {0};
     double *height = surface_of(1.3, 5, N, 1);
-    struct direct_contact contact = contact_of(height, N);
+    struct direct_contact contact = contact_of(height, N, N);
     struct direct_ladder_def ladder = {&load, 1, INFINITY, 1e-300, false, NULL, false};
     struct direct_point point;
     int traps = fedisableexcept(FE_ALL_EXCEPT); /* 0/0 ends iterations on rounding alone */
@@ -234,7 +228,7 @@ TEST_CASE(no_answer)
     expect_fails(STATUS_MODEL, "not converge", direct_ensemble_run, &found, &def);
     assert_true(!found.point && !found.seed_point);
 
-    (void)solved(&contact, load, INFINITY);
+    (void)solved_at(&contact, load, INFINITY);
     double length;
     expect_fails(STATUS_MODEL, "not converge", direct_constriction_of_contact, &length, &contact, 1e-300, NULL);
 

@@ -217,35 +217,6 @@ TEST_CASE(the_mean_of_curves)
     assert_int_equal(result.left_out, 0);
 }
 
-/** The mean of equal parts is their curve, without intervals. */
-TEST_CASE(the_mean_of_one_curve)
-{
-    static const size_t scan[] = {0, 1, 2};
-    static const double loads[LOADS] = {1e-6, 1e-5, 1e-4, 1e-3, 1e-2};
-    double amplitude_m[2] = {1e-6, 2e-7};
-    const struct model_row *model = &model_multiscale_elastic;
-    struct ensemble set = set_of(3, scan, NULL);
-    for (int p = 0; p < 3; p++) {
-        parts[p].spectrum = (struct spectrum){amplitude_m, 2, 1e-4, false};
-        roughness_from_spectrum(&parts[p].roughness, &parts[p].spectrum);
-    }
-    set.sigma_m = sqrt(parts[0].roughness.m0_m2);
-    struct model_task task = task_of(&parts[0], loads, LOADS);
-    struct contact_point points[LOADS + 1], own_points[LOADS + 1];
-    struct model_curve curve = {.points = points}, own = {.points = own_points};
-    const struct ensemble_result result = run_set(&curve, &set, model, &task);
-    expect_ok(model_run, &own, model, &task);
-    assert_int_equal(curve.count, own.count);
-    assert_near(curve.full_load, own.full_load, 1e-14);
-    for (size_t i = 0; i < own.count; i++) {
-        assert_near(points[i].value[QUANTITY_LOAD], own_points[i].value[QUANTITY_LOAD], 1e-14);
-        assert_near(points[i].value[QUANTITY_AREA], own_points[i].value[QUANTITY_AREA], 1e-13);
-        assert_near(points[i].value[QUANTITY_SEPARATION], own_points[i].value[QUANTITY_SEPARATION], 1e-13);
-    }
-    for (int side = 0; side < 2; side++)
-        assert_true(isnan(result.band[0].mean[QUANTITY_AREA][side]));
-}
-
 /** Loads above the first part's full contact are left out; the last point is the mean full contact. */
 TEST_CASE(the_end_of_curves)
 {
