@@ -4,9 +4,7 @@
 #ifndef TESTS_STATISTICS_COVERAGE_H
 #define TESTS_STATISTICS_COVERAGE_H
 
-#include "base/status.h"
-#include <gsl/gsl_rng.h>
-#include <stddef.h>
+#include "support.h"
 #include <stdio.h>
 
 /** A surface's rms amplitude in a record as long as itself: heights and lengths in units of the spacing. */
@@ -35,8 +33,6 @@ void coverage_answers(double answer[COVERAGE_ANSWERS], const double *height, siz
 
 double coverage_mean(const double *value, size_t count);
 double coverage_sd(const double *value, size_t count);
-double coverage_normal(gsl_rng *random);
-gsl_rng *coverage_random(unsigned long seed);
 void *coverage_allocate(size_t count, size_t size);
 /** Ends the program where something failed. */
 void coverage_must(enum status_code code, const struct status *status);

@@ -2,16 +2,15 @@
 #include "coverage.h"
 
 #include "statistics/ranking.h"
-#include <math.h>
+#include <gsl/gsl_randist.h>
 
 static struct interval draw(size_t scans, double mean, double sd, gsl_rng *random)
 {
     double value[16];
     struct interval out;
-    struct status status = {0};
     for (size_t i = 0; i < scans; i++)
-        value[i] = mean + sd * coverage_normal(random);
-    coverage_must(interval_scans(&out, value, NULL, scans, 0.95, &status), &status);
+        value[i] = mean + sd * gsl_ran_gaussian_ziggurat(random, 1);
+    expect_ok(interval_scans, &out, value, NULL, scans, 0.95);
     return out;
 }
 
@@ -32,7 +31,6 @@ static void four(FILE *out, size_t scans, size_t sets, const char *published, gs
 {
     enum { SURFACES = 4, PAIRS = SURFACES * (SURFACES - 1) / 2 };
     double plain = 0, holm = 0;
-    struct status status = {0};
     for (size_t set = 0; set < sets; set++) {
         struct interval surface[SURFACES];
         double p[PAIRS], least = 1, least_adjusted = 1;
@@ -43,7 +41,7 @@ static void four(FILE *out, size_t scans, size_t sets, const char *published, gs
                 p[ranking_pair(i, j, SURFACES)] = ranking_welch(&surface[i], &surface[j], 0.95).p;
         for (size_t k = 0; k < PAIRS; k++)
             least = fmin(least, p[k]);
-        coverage_must(ranking_holm(p, p, PAIRS, &status), &status);
+        expect_ok(ranking_holm, p, p, PAIRS);
         for (size_t k = 0; k < PAIRS; k++)
             least_adjusted = fmin(least_adjusted, p[k]);
         plain += (least < 0.05) / (double)sets;
@@ -62,7 +60,8 @@ void coverage_pairs(FILE *out, size_t sets)
                 {5, 5, ".045-.05 / .63 1.0 1.0  and .33 .93 1.0"},
                 {10, 10, ".045 / .95  and .66"},
                 {3, 10, ".055-.07"}};
-    gsl_rng *random = coverage_random(6);
+    gsl_rng *random = support_random();
+    gsl_rng_set(random, 6);
     sets *= 20;
     fprintf(out, "\nTwo surfaces (F), Welch: size / power at x1.2 x1.5 x2 for a scan's SD of .11, then of .16\n");
     for (size_t r = 0; r < sizeof rows / sizeof *rows; r++) {
@@ -80,5 +79,4 @@ void coverage_pairs(FILE *out, size_t sets)
     fprintf(out, "3 of SD .385 and 10 of .11: size %.3f   .045-.07\n", share(3, 10, 1, 0.385, 0.11, sets, random));
     four(out, 3, sets, ".15, .024", random);
     four(out, 5, sets, ".17, .029", random);
-    gsl_rng_free(random);
 }

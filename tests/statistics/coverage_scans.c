@@ -26,11 +26,10 @@ static void widen(struct range *range, double value)
 static void cover(struct range range[3], const double *answer, size_t scans, size_t m)
 {
     double truth = coverage_mean(answer, scans), sets = 0, inside[3] = {0};
-    struct status status = {0};
     for (size_t first = 0; first + m < scans; first += m + 1, sets++) {
         struct interval low, high;
-        coverage_must(interval_scans(&low, answer + first, NULL, m, 0.68, &status), &status);
-        coverage_must(interval_scans(&high, answer + first, NULL, m, 0.95, &status), &status);
+        expect_ok(interval_scans, &low, answer + first, NULL, m, 0.68);
+        expect_ok(interval_scans, &high, answer + first, NULL, m, 0.95);
         inside[0] += truth >= low.low && truth <= low.high;
         inside[1] += truth >= high.low && truth <= high.high;
         inside[2] += fabs(answer[first + m] - high.mean) <= interval_next_half_width(&high, 1);
@@ -74,7 +73,6 @@ static void scans_of_several_lengths(FILE *out, size_t sets, gsl_rng *random)
     enum { SCANS = 5, SHORTEST = 512, LONGEST = SCANS * SHORTEST, TRUTHS = 4000 };
     double height[LONGEST];
     struct range whole = {1, 0}, pieces = {1, 0}, unweighted = {1, 0};
-    struct status status = {0};
     for (size_t k = 0; k < SURFACES; k++) {
         double truth[COVERAGE_ANSWERS] = {0}, inside[3][COVERAGE_ANSWERS] = {{0}};
         for (size_t i = 0; i < TRUTHS; i++) {
@@ -102,9 +100,9 @@ static void scans_of_several_lengths(FILE *out, size_t sets, gsl_rng *random)
             }
             for (size_t a = 0; a < COVERAGE_ANSWERS; a++) {
                 struct interval out_of[3];
-                coverage_must(interval_scans(&out_of[0], all[a], NULL, SCANS, 0.95, &status), &status);
-                coverage_must(interval_scans(&out_of[1], mean[a], weight, SCANS, 0.95, &status), &status);
-                coverage_must(interval_scans(&out_of[2], mean[a], NULL, SCANS, 0.95, &status), &status);
+                expect_ok(interval_scans, &out_of[0], all[a], NULL, SCANS, 0.95);
+                expect_ok(interval_scans, &out_of[1], mean[a], weight, SCANS, 0.95);
+                expect_ok(interval_scans, &out_of[2], mean[a], NULL, SCANS, 0.95);
                 for (int i = 0; i < 3; i++)
                     inside[i][a] += (truth[a] >= out_of[i].low && truth[a] <= out_of[i].high) / (double)sets;
             }
@@ -122,8 +120,8 @@ static void scans_of_several_lengths(FILE *out, size_t sets, gsl_rng *random)
 
 void coverage_scans(FILE *out, size_t sets)
 {
-    gsl_rng *random = coverage_random(3);
+    gsl_rng *random = support_random();
+    gsl_rng_set(random, 3);
     scans_of_one_length(out, 10 * sets, random);
     scans_of_several_lengths(out, sets, random);
-    gsl_rng_free(random);
 }

@@ -16,7 +16,6 @@ static void run(FILE *out, double gamma, double roll_off, size_t sets, gsl_rng *
     const struct coverage_surface surface = {.gamma = gamma, .roll_off = roll_off};
     double height[POINTS], square[POINTS], truth[COVERAGE_ANSWERS] = {0};
     double inside[COVERAGE_ANSWERS] = {0}, total = (double)sets, t = interval_quantile(0.95, SINGLE_SCAN_DEGREES);
-    struct status status = {0};
     for (size_t i = 0; i < TRUTHS; i++) {
         double value[COVERAGE_ANSWERS];
         coverage_draw(height, POINTS, LONGER, &surface, random);
@@ -31,10 +30,10 @@ static void run(FILE *out, double gamma, double roll_off, size_t sets, gsl_rng *
         coverage_answers(scan, height, POINTS);
         for (size_t q = 0; q < QUARTERS; q++)
             coverage_answers(quarters[q], height + q * POINTS / QUARTERS, POINTS / QUARTERS);
-        coverage_must(multitaper_square(square, height, POINTS, &status), &status);
-        coverage_must(simulated_record_prepare(&spectrum, square, POINTS, &status), &status);
+        expect_ok(multitaper_square, square, height, POINTS);
+        expect_ok(simulated_record_prepare, &spectrum, square, POINTS);
         for (size_t b = 0; b < RECORDS; b++) {
-            coverage_must(simulated_record_draw(height, &spectrum, set * RECORDS + b, &status), &status);
+            expect_ok(simulated_record_draw, height, &spectrum, set * RECORDS + b);
             coverage_answers(record[b], height, POINTS);
         }
         simulated_record_free(&spectrum);
@@ -52,11 +51,11 @@ static void run(FILE *out, double gamma, double roll_off, size_t sets, gsl_rng *
 
 void coverage_single(FILE *out, size_t sets)
 {
-    gsl_rng *random = coverage_random(5);
+    gsl_rng *random = support_random();
+    gsl_rng_set(random, 5);
     fprintf(out, "\nOne scan (E), %d records and four quarters, ln m0 m2 m4: within 2.78 s\n", RECORDS);
     run(out, 1.0, POINTS / 10.0, sets, random);
     run(out, 1.4, POINTS / 10.0, sets, random);
     run(out, 1.0, 0, sets, random);
     run(out, 1.4, 0, sets, random);
-    gsl_rng_free(random);
 }

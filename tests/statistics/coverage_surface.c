@@ -98,20 +98,6 @@ double coverage_sd(const double *value, size_t count)
     return sqrt(sum / (double)(count - 1));
 }
 
-double coverage_normal(gsl_rng *random)
-{
-    return gsl_ran_gaussian_ziggurat(random, 1);
-}
-
-gsl_rng *coverage_random(unsigned long seed)
-{
-    gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
-    if (!random)
-        coverage_must(STATUS_MEMORY, NULL);
-    gsl_rng_set(random, seed);
-    return random;
-}
-
 void *coverage_allocate(size_t count, size_t size)
 {
     void *memory = calloc(count, size);
