@@ -268,6 +268,15 @@ double table_number(const struct table *table, size_t row, const char *column)
     return strtod(table_text(table, row, column), NULL);
 }
 
+size_t table_find(const struct table *table, size_t from, const char *column, const char *text)
+{
+    while (from < table->rows && strcmp(table_text(table, from, column), text) != 0)
+        from++;
+    if (from == table->rows)
+        fail_msg("no row with %s '%s'", column, text);
+    return from;
+}
+
 size_t support_number(const char *name, size_t usual)
 {
     const char *said = getenv(name);

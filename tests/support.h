@@ -143,6 +143,8 @@ struct table table_read_path(const char *path);
 const char *table_text(const struct table *table, size_t row, const char *column);
 /** The same as a number. */
 double table_number(const struct table *table, size_t row, const char *column);
+/** The first row, from `from` on, with this text in a column; fails the test where there is none. */
+size_t table_find(const struct table *table, size_t from, const char *column, const char *text);
 
 /** Fails unless `actual` is near the number of a cell. */
 #define assert_cell(actual, table, row, column, rtol)                                                                  \

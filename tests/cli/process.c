@@ -156,15 +156,6 @@ size_t expect_keys_described(const char *document, json_t *json, bool properties
     return keys;
 }
 
-size_t table_find(const struct table *table, size_t from, const char *column, const char *text)
-{
-    while (from < table->rows && strcmp(table_text(table, from, column), text) != 0)
-        from++;
-    if (from == table->rows)
-        fail_msg("no row with %s '%s'", column, text);
-    return from;
-}
-
 void expect_narrow(const char *text)
 {
     for (; *text; text += strcspn(text, "\n"), text += *text == '\n')

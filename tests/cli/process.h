@@ -56,8 +56,6 @@ struct process process_report(const char *place, const char *out, const char *sc
 #define expect_errors(process, ...)                                                                                    \
     process_expect_parts((process), false, (const char *const[]){__VA_ARGS__, NULL}, __FILE__, __LINE__)
 void process_expect_parts(struct process process, bool out, const char *const *parts, const char *file, int line);
-/** The first row, from `from` on, with this text in a column; fails the test where there is none. */
-size_t table_find(const struct table *table, size_t from, const char *column, const char *text);
 /** Fails the test unless a document has each key of a JSON value in backquotes, but for names of models and effects
  * and, unless `properties`, of materials' properties. Returns how many keys there are. */
 size_t expect_keys_described(const char *document, json_t *json, bool properties);

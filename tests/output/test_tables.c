@@ -197,15 +197,6 @@ TEST_CASE(test_the_spectra)
     assert_int_equal(row, spectrum.rows);
 }
 
-static size_t surface_row(const struct table *surfaces, const char *name)
-{
-    for (size_t row = 0; row < surfaces->rows; row++)
-        if (strcmp(table_text(surfaces, row, "surface"), name) == 0)
-            return row;
-    fail_msg("no surface '%s'", name);
-    return 0;
-}
-
 /* One row against its own units and the row before of the same curve. */
 static void assert_contact_row(const struct table *t, size_t row, bool starts, double sigma_m)
 {
@@ -234,12 +225,8 @@ static void assert_contact_row(const struct table *t, size_t row, bool starts, d
 
 static double spread_mean(const struct table *spread, const char *surface, const char *quantity)
 {
-    for (size_t row = 0; row < spread->rows; row++)
-        if (strcmp(table_text(spread, row, "surface"), surface) == 0 &&
-            strcmp(table_text(spread, row, "quantity"), quantity) == 0)
-            return table_number(spread, row, "mean");
-    fail_msg("no %s of '%s'", quantity, surface);
-    return NAN;
+    size_t from = table_find(spread, 0, "surface", surface);
+    return table_number(spread, table_find(spread, from, "quantity", quantity), "mean");
 }
 
 TEST_CASE(test_the_contact_curves)
@@ -250,10 +237,11 @@ TEST_CASE(test_the_contact_curves)
     size_t curves = 0, full = 0;
     for (size_t row = 0; row < contact.rows; row++) {
         const char *surface = table_text(&contact, row, "surface"), *model = table_text(&contact, row, "model");
+        size_t at = table_find(&surfaces, 0, "surface", surface);
         bool starts = row == 0 || strcmp(model, table_text(&contact, row - 1, "model")) != 0;
         bool ends = row + 1 == contact.rows || strcmp(model, table_text(&contact, row + 1, "model")) != 0;
         bool statistical = strcmp(model, "gw") == 0 || strcmp(model, "jg") == 0;
-        assert_contact_row(&contact, row, starts, table_number(&surfaces, surface_row(&surfaces, surface), "rq_m"));
+        assert_contact_row(&contact, row, starts, table_number(&surfaces, at, "rq_m"));
         curves += starts;
         if (!statistical)
             continue;
@@ -264,7 +252,7 @@ TEST_CASE(test_the_contact_curves)
             assert_within(table_number(&contact, row, "adjusted_separation_over_sigma"), 0, 1e-12);
             char column[16];
             snprintf(column, sizeof column, "beta_%s", model);
-            double beta = table_number(&surfaces, surface_row(&surfaces, surface), column);
+            double beta = table_number(&surfaces, at, column);
             if (strcmp(surface, "rough") != 0) /* whose is the mean of two scans' */
                 assert_near(beta, -2 * table_number(&contact, row, "separation_over_sigma"), 1e-10);
             else
