@@ -73,5 +73,3 @@ TEST_CASE(what_accuracy_costs)
     made.results.benchmark = &made.benchmark;
     made_up_free(&made);
 }
-
-TEST_GROUP(NULL, NULL)

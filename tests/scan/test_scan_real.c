@@ -2,8 +2,6 @@
 /* The collection of real scans against independently computed figures (tests/data/scan). */
 #include "scan_support.h"
 
-#include <gsl/gsl_fit.h>
-
 static struct scan read_real(const char *name, const char *x_unit, const char *z_unit)
 {
     struct scan_options options = {.x_unit = x_unit, .z_unit = z_unit};
@@ -36,44 +34,6 @@ TEST_CASE(test_formats_and_ranges)
                 assert_within(scan.x_m[0], table_number(&table, row, "x0_um") * 1e-6, 1e-15);
             scan_free(&scan);
         }
-    }
-}
-
-/* One measurement in three containers: text, binary and X3P, the last without the 3 mm the others start at. */
-TEST_CASE(test_containers)
-{
-    NEED_REAL_SCANS();
-    struct scan text = read_real("mahr_gd25_m1.txt", "", ""), binary = read_real("mahr_gd25_m1.prf", "", ""),
-                x3p = read_real("mahr_gd25_m1.x3p", "", "");
-    assert_int_equal(binary.nx, text.nx);
-    assert_int_equal(x3p.nx, text.nx);
-    for (size_t i = 0; i < text.nx; i++) {
-        assert_within(binary.x_m[i], text.x_m[i], 1e-17);
-        assert_within(binary.z_m[i], text.z_m[i], 1e-17);
-        assert_within(x3p.x_m[i], text.x_m[i], 1e-17);
-        assert_within(x3p.z_m[i] + 3e-3, text.z_m[i], 1e-17);
-    }
-    scan_free(&text);
-    scan_free(&binary);
-    scan_free(&x3p);
-}
-
-/* Rq over the least-squares line of profiles of a MarSurf PS 10, with run-up and overtravel. */
-TEST_CASE(test_portable_instrument)
-{
-    NEED_REAL_SCANS();
-    static const double rq_um[] = {11.426789483396439, 22.649348463540576, 19.733699635472412, 16.01250724151031};
-    for (size_t k = 0; k < 4; k++) {
-        struct scan scan = read_real(filled("mahr_ps10_%c.txt", (char)('1' + k)), "", "");
-        assert_int_equal(scan.nx, 6400);
-        assert_near(scan.dx_m, 0.5e-6, 1e-9);
-        assert_within(scan.margin_m[0], 0.4e-3, 1e-15);
-        assert_within(scan.margin_m[1], 0.4e-3, 1e-15);
-        double line[2], covariance[3], square;
-        gsl_fit_linear(scan.x_m, 1, scan.z_m, 1, scan.nx, &line[0], &line[1], &covariance[0], &covariance[1],
-                       &covariance[2], &square);
-        assert_near(sqrt(square / (double)scan.nx), rq_um[k] * 1e-6, 1e-9);
-        scan_free(&scan);
     }
 }
 

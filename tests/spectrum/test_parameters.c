@@ -144,22 +144,12 @@ TEST_CASE(test_the_filter_runs_in)
     expect_fails(STATUS_SCAN, "half of one at either end", parameters_of_roughness, &p, z, 1900, 1e-6, 1e-3, none);
 }
 
-/* The part of a real scan between two positions, as a profile. */
-static struct profile real_profile(const char *name, enum level level, double from_m, double to_m)
+static struct profile real_profile(const char *name, enum level level)
 {
-    struct scan scan, part;
+    struct scan scan;
     struct profile profile;
     expect_ok(scan_read, &scan, filled("%s/%s", REAL_SCANS, name), &no_units);
-    size_t first = 0, end = scan.nx;
-    while (scan.x_m && scan.x_m[first] < from_m)
-        first++;
-    while (scan.x_m && scan.x_m[end - 1] > to_m)
-        end--;
-    part = scan;
-    part.nx = end - first;
-    part.x_m = scan.x_m ? scan.x_m + first : NULL;
-    part.z_m = scan.z_m + first;
-    expect_ok(profile_make, &profile, &part, 0, &(struct profile_options){.level = level});
+    expect_ok(profile_make, &profile, &scan, 0, &(struct profile_options){.level = level});
     scan_free(&scan);
     return profile;
 }
@@ -183,7 +173,7 @@ TEST_CASE(test_nist_edm)
     static const char *const files[] = {"nist_npl_edm.xml", "npl_edm.prf", "npl_edm.sdf", "npl_edm.smd"};
     for (size_t f = 0; f < 4; f++)
         for (int level = LEVEL_NONE; level <= LEVEL_LINE; level++) { /* it has no line to lose */
-            struct profile profile = real_profile(files[f], (enum level)level, 0, 1);
+            struct profile profile = real_profile(files[f], (enum level)level);
             struct parameters p = parameters_compute('P', profile.height_m, profile.points, profile.spacing_m, 1);
             assert_printed(&p, printed, sizeof printed / sizeof *printed);
             profile_free(&profile);
@@ -197,21 +187,10 @@ TEST_CASE(test_mitutoyo)
     static const struct expected printed[] = {{"a", 3.308, 1e-3},  {"q", 3.959, 1e-3}, {"t", 22.233, 1e-3},
                                               {"z", 18.485, 1e-3}, {"p", 8.244, 1e-3}, {"v", 10.240, 1e-3},
                                               {"dq", 0.157, 1e-3}};
-    struct profile profile = real_profile("mitutoyo_sj_2.csv", LEVEL_NONE, 0, 1);
+    struct profile profile = real_profile("mitutoyo_sj_2.csv", LEVEL_NONE);
     struct parameters p;
     expect_ok(parameters_of_roughness, &p, profile.height_m, profile.points, profile.spacing_m, 2.5e-3, NULL);
     assert_int_equal(p.sampling_lengths, 4);
     assert_printed(&p, printed, sizeof printed / sizeof *printed);
-    profile_free(&profile);
-}
-
-/* The Dektak's own evaluation between its cursors. */
-TEST_CASE(test_dektak_window)
-{
-    NEED_REAL_SCANS();
-    static const struct expected printed[] = {{"a", .00525, 1e-5}, {"q", .01143, 1e-5}};
-    struct profile profile = real_profile("dektak_stylus.csv", LEVEL_LINE, 467.95e-6, 733.05e-6);
-    struct parameters p = parameters_compute('P', profile.height_m, profile.points, profile.spacing_m, 1);
-    assert_printed(&p, printed, 2);
     profile_free(&profile);
 }
