@@ -237,9 +237,8 @@ uint64_t made_up_models(void)
 static void make_plan(struct plan *plan, uint64_t models, unsigned effects)
 {
     *plan = (struct plan){.models = models, .running = effects, .wanted = quantity_wanted(effects)};
-    for (int e = 0; e < EFFECT_COUNT; e++) {
-        plan->effects[e] = (struct plan_effect){effects & EFFECT_BIT(e), effect_rows[e].name};
-    }
+    for (int e = 0; e < EFFECT_COUNT; e++)
+        plan->reasons[e] = effect_rows[e].name;
 }
 
 void made_up_again(struct made_up *made)

@@ -70,11 +70,10 @@ static json_t *scene_json(const struct results *results)
 {
     const struct scene *scene = results->scene;
     json_t *effects = json_object(), *models = json_array();
-    for (int e = 0; e < EFFECT_COUNT; e++) {
-        const struct plan_effect *effect = &results->plan->effects[e];
+    for (int e = 0; e < EFFECT_COUNT; e++)
         json_object_set_new(effects, effect_rows[e].name,
-                            json_pack("{s:b, s:o}", "runs", effect->runs, "reason", json_shown(effect->reason)));
-    }
+                            json_pack("{s:b, s:o}", "runs", plan_runs(results->plan, (enum effect)e), "reason",
+                                      json_shown(results->plan->reasons[e])));
     static const enum record_kind kinds[] = {
         [SCENE_SAID_NUMBER] = RECORD_NUMBER, [SCENE_SAID_COUNT] = RECORD_COUNT, [SCENE_SAID_TEXT] = RECORD_TEXT};
     const struct scene_bodies *bodies = &scene->bodies;

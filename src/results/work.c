@@ -36,11 +36,11 @@ void work_account(struct work_row rows[WORK_ROWS], const struct results *results
     const struct plan *plan = results->plan;
     const struct work_studies *studies = &results->studies;
     rows[0] = (struct work_row){.name = "area", .runs = true, .reason = plan->area_reason, .changes = ""};
-    for (int e = 0; e < EFFECT_COUNT; e++)
+    for (enum effect e = 0; e < EFFECT_COUNT; e++)
         rows[e + 1] = (struct work_row){.name = effect_rows[e].name,
-                                        .runs = plan->effects[e].runs,
-                                        .reason = plan->effects[e].reason,
-                                        .changes = change_of(plan->words, (enum effect)e, plan->effects[e].runs)};
+                                        .runs = plan_runs(plan, e),
+                                        .reason = plan->reasons[e],
+                                        .changes = change_of(plan->words, e, plan_runs(plan, e))};
     struct work_row *convergence = &rows[1 + EFFECT_CONVERGENCE], *direct = &rows[1 + EFFECT_DIRECT],
                     *uncertainty = &rows[1 + EFFECT_UNCERTAINTY];
     convergence->evaluations = studies->sweep_scales;

@@ -356,7 +356,7 @@ enum status_code all_surfaces_run(struct all_surfaces *out, const struct scene *
                        .describe_only = describe_only,
                        .stage = {options, "models of", NULL, 0, PTHREAD_MUTEX_INITIALIZER}};
     all_surfaces_tell(&all.stage, scene->surfaces[0].name, 0, (double)scene->surface_count);
-    if ((scene->operating.load == 0 && choose_operating_load(&all, threads, status) != STATUS_OK) ||
+    if ((scene->operating.value == 0 && choose_operating_load(&all, threads, status) != STATUS_OK) ||
         (all.bounded && threads_run(threads, scene->surface_count, bound_one, &all, status) != STATUS_OK))
         return status->code;
     struct plan ran = out->plan;

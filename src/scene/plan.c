@@ -6,7 +6,7 @@
 
 void plan_decide(struct plan *plan, enum effect effect, bool runs, const char *reason)
 {
-    plan->effects[effect] = (struct plan_effect){runs, reason};
+    plan->reasons[effect] = reason;
     plan->running = runs ? plan->running | EFFECT_BIT(effect) : plan->running & ~EFFECT_BIT(effect);
     plan->wanted = quantity_wanted(plan->running);
 }

@@ -6,21 +6,16 @@
 #include "base/words.h"
 #include "scene/scene.h"
 
-struct plan_effect {
-    bool runs;
-    const char *reason;
-};
-
 struct plan {
-    struct plan_effect effects[EFFECT_COUNT];
-    unsigned running;        /* EFFECT_BITs of those that run */
-    unsigned wanted;         /* QUANTITY_BITs that the running effects call for */
-    uint64_t models;         /* MODEL_BITs asked for; a plastic one runs only with plasticity */
-    uint64_t beside;         /* those with answers for some surfaces only: they do not lead */
-    bool all_uncertain;      /* uncertainty was listed: for all models; else for the leading one */
-    size_t operating_place;  /* as in struct model_task */
-    const char *area_reason; /* why the area is computed as it is, for the account */
-    struct words *words;     /* for the reasons; NULL: none are given */
+    const char *reasons[EFFECT_COUNT]; /* why each effect runs or does not */
+    unsigned running;                  /* EFFECT_BITs of those that run */
+    unsigned wanted;                   /* QUANTITY_BITs that the running effects call for */
+    uint64_t models;                   /* MODEL_BITs asked for; a plastic one runs only with plasticity */
+    uint64_t beside;                   /* those with answers for some surfaces only: they do not lead */
+    bool all_uncertain;                /* uncertainty was listed: for all models; else for the leading one */
+    size_t operating_place;            /* as in struct model_task */
+    const char *area_reason;           /* why the area is computed as it is, for the account */
+    struct words *words;               /* for the reasons; NULL: none are given */
 };
 
 /** Listed effects run (the scene was checked); with `auto`, those that the given properties allow. */

@@ -234,16 +234,16 @@ static const double least_by_itself = 1e-12; /* P/(A_n E') of the program's own 
 static void check_loads(struct scene *scene, struct scene_source *source)
 {
     static const char key[] = "operating_load";
-    const struct scene_one_load *one = &scene->operating;
+    const struct scene_quantity *one = &scene->operating;
     struct scene_load *load = &scene->load;
     double least = load->from, most = load->to;
-    if (!load->given && one->unit_text[0]) {
+    if (!load->given && one->kind != UNIT_NUMBER) {
         load->unit = one->unit;
-        strcpy(load->unit_text, one->unit_text);
+        strcpy(load->unit_text, one->text);
     }
     check_load_kind(scene, source, "load", "load", load->kind);
     check_load_kind(scene, source, "loads", "direct", scene->direct.kind);
-    if (one->load == 0)
+    if (one->value == 0)
         return;
     for (size_t i = 0; load->values && i < load->points; i++) {
         least = i == 0 ? load->values[i] : fmin(least, load->values[i]);

@@ -7,6 +7,7 @@
 #include "joint/joint.h"
 #include "profile/level.h"
 #include "scan/scan.h"
+#include "scene/scene_words.h"
 #include "spectrum/power_law.h"
 
 /** The bodies of a contact; scene_read() completes those of a surface with the scene's. */
@@ -64,14 +65,6 @@ struct scene_load {
     struct unit unit;            /* as given; else operating_load's */
     char unit_text[UNIT_LENGTH]; /* the same, for charts and tables over load; "": P/(A_n E') */
     bool given;                  /* by the scene: kind and unit are those of its first load */
-};
-
-/** A single load. */
-struct scene_one_load {
-    double load; /* SI; 0: none */
-    enum unit_quantity kind;
-    struct unit unit;
-    char unit_text[UNIT_LENGTH]; /* as given; "": P/(A_n E'), or none */
 };
 
 struct scene_convergence {
@@ -160,7 +153,7 @@ struct scene {
     double nominal_area_m2;     /* NaN: resistances stay per area */
     enum scene_mean_free_path mean_free_path;
     struct scene_load load;
-    struct scene_one_load operating; /* of summary and tables; none: that of a middling area */
+    struct scene_quantity operating; /* load of summary and tables; 0: that of a middling area */
     double tolerance;                /* relative */
     double accuracy;                 /* 95 % of answers are to lie within this factor less 1; NaN: not asked */
     double chosen_sd;                /* model_sd() of the model chosen for it; 0: none was */
@@ -257,10 +250,10 @@ const struct material_property *scene_lack(const char **body, const struct scene
 double scene_load_divisor(const struct scene *scene, enum unit_quantity kind, const struct material_pair *pair);
 
 /** A load as P/(A_n E') of a pair of bodies; 0: none. */
-double scene_load_of(const struct scene_one_load *one, const struct scene *scene, const struct material_pair *pair);
+double scene_load_of(const struct scene_quantity *one, const struct scene *scene, const struct material_pair *pair);
 
 /** The same in the kind of the scene's loads. */
-double scene_load_as(const struct scene_one_load *one, const struct scene *scene, const struct material_pair *pair);
+double scene_load_as(const struct scene_quantity *one, const struct scene *scene, const struct material_pair *pair);
 
 /** The scene's loads on a pair of bodies as P/(A_n E'), ascending, without duplicates: malloc'ed *loads, *count of
  * them, the same count for every pair; *operating is the index of the summary's load. Error: STATUS_MEMORY. */

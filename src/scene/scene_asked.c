@@ -18,7 +18,7 @@ static bool read_value(struct scene_source *source, const struct scene_key *key,
 {
     const struct list *list = field;
     struct scene_quantity quantity;
-    if (!scene_source_quantity_of(&quantity, source, key, value))
+    if (!scene_source_quantity_of(source, key, value, &quantity))
         return false;
     if (*list->count == ASKED_MOST)
         return scene_source_fail_at(source, value, "more than %d of them; leave some out", ASKED_MOST);

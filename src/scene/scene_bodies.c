@@ -65,14 +65,14 @@ const struct material *scene_softer(const struct scene_bodies *bodies)
     return other ? &bodies->counterface : &bodies->material;
 }
 
-double scene_load_as(const struct scene_one_load *one, const struct scene *scene, const struct material_pair *pair)
+double scene_load_as(const struct scene_quantity *one, const struct scene *scene, const struct material_pair *pair)
 {
-    if (one->load == 0 || one->kind == scene->load.kind)
-        return one->load;
-    return one->load / scene_load_divisor(scene, one->kind, pair) * scene_load_divisor(scene, scene->load.kind, pair);
+    if (one->value == 0 || one->kind == scene->load.kind)
+        return one->value;
+    return one->value / scene_load_divisor(scene, one->kind, pair) * scene_load_divisor(scene, scene->load.kind, pair);
 }
 
-double scene_load_of(const struct scene_one_load *one, const struct scene *scene, const struct material_pair *pair)
+double scene_load_of(const struct scene_quantity *one, const struct scene *scene, const struct material_pair *pair)
 {
     return scene_load_as(one, scene, pair) / scene_load_divisor(scene, scene->load.kind, pair);
 }

@@ -132,7 +132,7 @@ static bool read_load_one(struct scene_source *source, const struct scene_key *k
                           struct scene_load *load, double *number)
 {
     struct scene_quantity quantity;
-    if (!scene_source_quantity_of(&quantity, source, key, value))
+    if (!scene_source_quantity_of(source, key, value, &quantity))
         return false;
     if (load->given && quantity.kind != load->kind)
         return scene_source_fail_at(source, value, "'%s' is %s beside %s; give all loads in one unit", key->name,
@@ -213,19 +213,6 @@ static bool complete_load(struct scene_source *source, const size_t *lines, size
     return load->values || load->points > 1 || load->from == load->to ||
            scene_source_fail(source, line, "'points' is 1, too few from %g to %g; give 2 or more, or 'values'",
                              load->from, load->to);
-}
-
-static bool read_one_load(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
-                          void *field)
-{
-    struct scene_quantity quantity;
-    if (!scene_source_quantity_of(&quantity, source, key, value))
-        return false;
-    struct scene_one_load *one = field;
-    *one = (struct scene_one_load){quantity.value, quantity.kind, quantity.unit, ""};
-    if (quantity.kind != UNIT_NUMBER)
-        strcpy(one->unit_text, quantity.text);
-    return true;
 }
 
 #define BENCHMARK(member) offsetof(struct scene_convergence, member)
@@ -407,7 +394,7 @@ const struct scene_key scene_keys[] = {
     {"operating_load",
      "where the first page stands; its unit is that of charts and tables where `load` has no loads; default: the "
      "middle of an area of 0.1 to 10 %",
-     read_one_load, .at = AT(operating), LOADS},
+     scene_source_quantity_of, .at = AT(operating), LOADS},
     {"targets", "a list of {ecr, tcr, conductance, gap, area or temperature: value}: the load that each needs",
      scene_asked_read, .at = 0},
     {"limits",

@@ -315,8 +315,8 @@ static bool hold_load(struct scene *scene, struct scene_source *source)
             return SHAPE_FAIL(source, "the files of 'pressure' must be grids of the same places, each at another load");
     if (count > 1 || scene->shape.scale || pair.unknown)
         return true;
-    if (scene->operating.load == 0) {
-        scene->operating = (struct scene_one_load){.load = fields[0].mean, .kind = UNIT_PRESSURE};
+    if (scene->operating.value == 0) {
+        scene->operating = (struct scene_quantity){.value = fields[0].mean, .kind = UNIT_PRESSURE};
         return true;
     }
     double asked_Pa = scene_load_of(&scene->operating, scene, &pair) * pair.effective_modulus_Pa;

@@ -335,9 +335,10 @@ bool scene_source_option(struct scene_source *source, const struct scene_key *ke
     return good;
 }
 
-bool scene_source_quantity_of(struct scene_quantity *out, struct scene_source *source, const struct scene_key *key,
-                              const yaml_node_t *value)
+bool scene_source_quantity_of(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
+                              void *field)
 {
+    struct scene_quantity *out = field;
     struct string_view text = scene_source_scalar(value);
     if (!text.start || !scene_quantity_read(out, text, key->quantities))
         return scene_source_wrong_type(source, value, key->name, scene_quantity_help(key->quantities).text);
@@ -354,7 +355,7 @@ bool scene_source_quantity(struct scene_source *source, const struct scene_key *
     struct scene_quantity quantity;
     if (key->word && scene_source_is(value, key->word))
         return true;
-    if (!scene_source_quantity_of(&quantity, source, key, value))
+    if (!scene_source_quantity_of(source, key, value, &quantity))
         return false;
     *(double *)field = quantity.value;
     return true;
@@ -376,7 +377,7 @@ bool scene_source_whole(struct scene_source *source, const struct scene_key *key
     bool is_number = text.start && scene_quantity_read(&number, text, UNIT_NUMBER);
     if (!is_number || (isfinite(number.value) && number.value != floor(number.value)))
         return scene_source_wrong_type(source, value, key->name, "a whole number");
-    if (!scene_source_quantity_of(&number, source, key, value))
+    if (!scene_source_quantity_of(source, key, value, &number))
         return false;
     *(size_t *)field = (size_t)number.value;
     return true;

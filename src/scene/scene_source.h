@@ -5,7 +5,6 @@
 #define SCENE_SCENE_SOURCE_H
 
 #include "scene/scene.h"
-#include "scene/scene_words.h"
 
 #include <yaml.h>
 
@@ -113,9 +112,8 @@ scene_reader scene_source_quantity, scene_source_pair, scene_source_whole, scene
 scene_reader scene_source_within;
 /** The spelling of a unit of key->quantities, into a char[UNIT_LENGTH]. */
 scene_reader scene_source_unit;
-/** A quantity with its kind and unit. */
-bool scene_source_quantity_of(struct scene_quantity *out, struct scene_source *source, const struct scene_key *key,
-                              const yaml_node_t *value);
+/** A quantity with its kind and unit, into a struct scene_quantity. */
+scene_reader scene_source_quantity_of;
 
 /* Parts of a key's row; `place` is an offsetof(). */
 #define SCENE_COUNT(array) (sizeof(array) / sizeof *(array))

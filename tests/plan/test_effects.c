@@ -130,16 +130,16 @@ PLACED(test_convergence_is_asked_for)
     scene.models = (1u << model_count) - 1;
     plan_make(&made, &scene, support_words());
     assert_false(plan_runs(&made, EFFECT_CONVERGENCE));
-    assert_string_equal(made.effects[EFFECT_CONVERGENCE].reason, "no 'convergence' is given");
+    assert_string_equal(made.reasons[EFFECT_CONVERGENCE], "no 'convergence' is given");
     scene.convergence.given = true;
     plan_make(&made, &scene, support_words());
     assert_true(plan_runs(&made, EFFECT_CONVERGENCE));
-    assert_string_equal(made.effects[EFFECT_CONVERGENCE].reason, "the scene has 'convergence'");
+    assert_string_equal(made.reasons[EFFECT_CONVERGENCE], "the scene has 'convergence'");
     scene.convergence.given = false;
     scene.effects = EFFECT_BIT(EFFECT_CONVERGENCE);
     plan_make(&made, &scene, support_words());
     assert_true(plan_runs(&made, EFFECT_CONVERGENCE));
-    assert_string_equal(made.effects[EFFECT_CONVERGENCE].reason, "listed in the scene");
+    assert_string_equal(made.reasons[EFFECT_CONVERGENCE], "listed in the scene");
     scene.effects = 0;
 }
 
@@ -150,22 +150,22 @@ PLACED(test_decisions)
     scene.tolerance = 1e-4;
     decide(0.1415, 1.01e-4);
     assert_true(plan_runs(&plan, EFFECT_PLASTICITY) && plan_runs(&plan, EFFECT_SCALE_DEPENDENT));
-    assert_string_equal(plan.effects[EFFECT_PLASTICITY].reason, "spots might bear up to 0.14 times the hardness");
-    assert_string_equal(plan.effects[EFFECT_SCALE_DEPENDENT].reason, "(8/3π) λmfp/a raises TCR by up to 0.010 %");
+    assert_string_equal(plan.reasons[EFFECT_PLASTICITY], "spots might bear up to 0.14 times the hardness");
+    assert_string_equal(plan.reasons[EFFECT_SCALE_DEPENDENT], "(8/3π) λmfp/a raises TCR by up to 0.010 %");
     assert_true(plan_runs(&plan, EFFECT_CONVERGENCE));
     decide(0.1413, 0.99e-4);
     assert_false(plan_runs(&plan, EFFECT_PLASTICITY) || plan_runs(&plan, EFFECT_SCALE_DEPENDENT));
     assert_string_equal(
-        plan.effects[EFFECT_PLASTICITY].reason,
+        plan.reasons[EFFECT_PLASTICITY],
         "no spot bears more than 0.14 times the hardness: 0.010 % of the area at most, below the tolerance");
-    assert_string_equal(plan.effects[EFFECT_SCALE_DEPENDENT].reason,
+    assert_string_equal(plan.reasons[EFFECT_SCALE_DEPENDENT],
                         "(8/3π) λmfp/a raises TCR by up to 0.0099 %, below the tolerance");
     assert_false(plan.wanted & QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT));
     decide(1e-3, 0); /* r^4/4, which would be lost in 1 + r^4 */
-    assert_non_null(strstr(plan.effects[EFFECT_PLASTICITY].reason, ": 2.5·10⁻¹¹ % of the area"));
+    assert_non_null(strstr(plan.reasons[EFFECT_PLASTICITY], ": 2.5·10⁻¹¹ % of the area"));
     decide(INFINITY, INFINITY); /* beyond what can be computed with: no number is written so */
-    assert_string_equal(plan.effects[EFFECT_PLASTICITY].reason, "spots might bear up to 1.8·10³⁰⁸ times the hardness");
-    assert_string_equal(plan.effects[EFFECT_SCALE_DEPENDENT].reason, "(8/3π) λmfp/a raises TCR by up to 1.8·10³⁰⁸ %");
+    assert_string_equal(plan.reasons[EFFECT_PLASTICITY], "spots might bear up to 1.8·10³⁰⁸ times the hardness");
+    assert_string_equal(plan.reasons[EFFECT_SCALE_DEPENDENT], "(8/3π) λmfp/a raises TCR by up to 1.8·10³⁰⁸ %");
     scene.effects_auto = false; /* listed: run */
     decide(0, 0);
     assert_true(plan_runs(&plan, EFFECT_PLASTICITY) && plan_runs(&plan, EFFECT_SCALE_DEPENDENT));

@@ -123,7 +123,7 @@ TEST_CASE(full_contact_is_never_extrapolated_elastically)
                 double change = truth_of(text).plastic;
                 if (!plan_runs(&plan, EFFECT_PLASTICITY) && !(change <= 1e-6))
                     fail_msg("Sy %g size %g %s: skipped, but it changes a number by %g; %s", yield_Pa[y], sizes[k],
-                             name, change, plan.effects[EFFECT_PLASTICITY].reason);
+                             name, change, plan.reasons[EFFECT_PLASTICITY]);
                 skipped += !plan_runs(&plan, EFFECT_PLASTICITY);
                 runs += plan_runs(&plan, EFFECT_PLASTICITY);
             }
@@ -180,7 +180,7 @@ TEST_CASE(scale_dependence_runs_just_where_it_matters)
                 struct plan plan = plan_of(text);
                 bool run = plan_runs(&plan, EFFECT_SCALE_DEPENDENT);
                 if (run != (change > tolerances[t]))
-                    fail_msg("it raises TCR by %g: %s", change, plan.effects[EFFECT_SCALE_DEPENDENT].reason);
+                    fail_msg("it raises TCR by %g: %s", change, plan.reasons[EFFECT_SCALE_DEPENDENT]);
                 skipped += !run;
                 runs += run;
             }

@@ -38,7 +38,7 @@ TEST_CASE(test_grid_of_pressures)
         assert_int_equal(scene->joint.field_count, 1);
         assert_true(scene->joint.pressed);
         assert_near(field->mean, 2e6, 1e-12);
-        assert_near(scene->operating.load, 2e6, 1e-12);
+        assert_near(scene->operating.value, 2e6, 1e-12);
         assert_int_equal(scene->operating.kind, UNIT_PRESSURE);
         assert_near(field->value[0] + field->value[63], 4e6, 1e-12);
         assert_true(field->value[0] < field->value[63]);
@@ -68,7 +68,7 @@ TEST_CASE(test_material_of_the_surface)
     static const char own[] = "nominal_area: 400 mm2\nsurfaces: [{name: a, file: a.csv, material: copper}]\n"
                               "shape: {pressure: g.csv}\n";
     const struct scene *scene = good(own, "");
-    assert_near(scene->operating.load, 1e6, 1e-12);
+    assert_near(scene->operating.value, 1e6, 1e-12);
 }
 
 /** A map of the part's height becomes a gap: where it is highest there is none. */
@@ -119,7 +119,7 @@ TEST_CASE(test_bolts)
     assert_near(scene->shape.bolts.force_N, 1250, 1e-12);
     assert_near(scene->shape.bolts.reach_m, 4.25e-3 + 5e-3, 1e-12);
     assert_near(scene->shape.bolts.hole_m, 0.65 * 4.25e-3, 1e-12);
-    assert_near(scene->operating.load * 400e-6, 2 * 1250, 1e-9);
+    assert_near(scene->operating.value * 400e-6, 2 * 1250, 1e-9);
     assert_near(scene->joint.thickness_m[1], 8e-3, 1e-12);
 }
 
@@ -188,6 +188,6 @@ TEST_CASE(test_refused)
     assert_near(good(COPPER "operating_load: 410 N\nload: {from: 1 N, to: 1 kN}\n"
                             "shape: {pressure: g.csv, scale: true}\n",
                      "")
-                    ->operating.load,
+                    ->operating.value,
                 410, 0);
 }
