@@ -40,12 +40,6 @@ enum status_code scene_files_add(struct scene_files *files, const char *file, st
     return STATUS_OK;
 }
 
-/* 2 before 10. */
-static int compare_naturally(const void *a, const void *b)
-{
-    return strverscmp(*(char *const *)a, *(char *const *)b);
-}
-
 /* Does `file` only give the units of scans? */
 static bool is_sidecar(const struct scene *scene, const char *file)
 {
@@ -61,12 +55,11 @@ enum status_code scene_files_match(struct scene_files *files, const struct scene
                                    mode_t kind, struct status *status)
 {
     const char *slash = strrchr(pattern, '/'), *name = slash ? slash + 1 : pattern;
-    size_t first = files->count;
     char *folder = strndup(pattern, (size_t)(name - pattern));
     char *path = folder && *folder ? scene_file_path(scene, folder) : strdup(scene->directory);
     struct dirent **entries = NULL;
     enum status_code code = folder && path ? STATUS_OK : status_memory(status);
-    int count = path ? scandir(path, &entries, NULL, NULL) : 0;
+    int count = path ? scandir(path, &entries, NULL, versionsort) : 0;
     if (count < 0)
         code = status_fail(status, STATUS_IO, "cannot list '%s': %s", scene_words_show(path).text, strerror(errno));
     if (count > 0 && (size_t)count > limit_most(LIMIT_FILES))
@@ -89,8 +82,6 @@ enum status_code scene_files_match(struct scene_files *files, const struct scene
     free(entries);
     free(path);
     free(folder);
-    if (files->count > first)
-        qsort(files->path + first, files->count - first, sizeof *files->path, compare_naturally);
     return code;
 }
 
@@ -167,6 +158,12 @@ static bool is_taken(const struct scene *scene, const char *file)
             if (is_same(scene, all[k]->path[i], file))
                 return true;
     return strcmp(file, "scene.yaml") == 0;
+}
+
+/* 2 before 10. */
+static int compare_naturally(const void *a, const void *b)
+{
+    return strverscmp(*(char *const *)a, *(char *const *)b);
 }
 
 /* "passed over: 2 x PNG picture (a.png, b.png)", a line a kind. Each of `others` is its kind, a line end, its name. */

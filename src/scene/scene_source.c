@@ -193,16 +193,13 @@ static bool read_pair(struct scene_source *source, const yaml_node_pair_t *pair,
     const yaml_node_t *value = yaml_document_get_node(&source->document, pair->value);
     const struct scene_key *keys = mapping->keys;
     const char *names[2 * SCENE_KEYS_MOST] = {NULL}; /* of keys, then their aliases */
-    size_t key_of[2 * SCENE_KEYS_MOST], count = mapping->count, all = count, line = scene_source_line(name);
+    const size_t count = mapping->count, all = 2 * count, line = scene_source_line(name);
     assert(count <= SCENE_KEYS_MOST);
     for (size_t i = 0; i < count; i++) {
-        names[key_of[i] = i] = keys[i].name;
-        if (keys[i].alias) {
-            key_of[all] = i;
-            names[all++] = keys[i].alias;
-        }
+        names[i] = keys[i].name;
+        names[count + i] = keys[i].alias ? keys[i].alias : keys[i].name;
     }
-    size_t n = find_word(name, names, all);
+    const size_t n = find_word(name, names, all), k = n % count;
     if (name->type != YAML_SCALAR_NODE)
         return scene_source_fail(source, line, "a key of '%s' is no text; write 'key: value'", mapping->name);
     if (n == all) { /* a near alias is proposed, but aliases are not listed */
@@ -210,7 +207,6 @@ static bool read_pair(struct scene_source *source, const yaml_node_pair_t *pair,
         return scene_source_fail(source, line, "unknown key '%s'; %s", shown.text,
                                  scene_words_hint(shown.text, names, count, all).text);
     }
-    const size_t k = key_of[n];
     struct scene_key key = keys[k];
     key.name = names[n];
     if (lines[k] != 0)
@@ -399,19 +395,17 @@ bool scene_source_choice(struct scene_source *source, const struct scene_key *ke
 /* The scalar as a text of printable characters, not empty; NULL: failed. */
 static const char *read_text(struct scene_source *source, const struct scene_key *key, const yaml_node_t *node)
 {
-    const char *problem = NULL;
+    const struct string_view text = scene_source_scalar(node);
+    bool good = true;
     if (node->type != YAML_SCALAR_NODE)
-        return scene_source_wrong_type(source, node, key->name, "text"), NULL;
-    const char *text = (const char *)node->data.scalar.value, *end = text + node->data.scalar.length;
-    if (text == end)
-        problem = "is empty; give a text or remove the line";
-    for (const char *p = text; p < end; p++)
+        good = scene_source_wrong_type(source, node, key->name, "text");
+    else if (text.start == text.end)
+        good = scene_source_fail_at(source, node, "'%s' is empty; give a text or remove the line", key->name);
+    for (const char *p = text.start; good && p < text.end; p++)
         if ((unsigned char)*p < 0x20 || *p == 0x7f)
-            problem = "has a line end or control character inside; remove it";
-    if (!problem)
-        return text;
-    scene_source_fail_at(source, node, "'%s' %s", key->name, problem);
-    return NULL;
+            good = scene_source_fail_at(source, node, "'%s' has a line end or control character inside; remove it",
+                                        key->name);
+    return good ? text.start : NULL;
 }
 
 bool scene_source_text(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value, void *field)
