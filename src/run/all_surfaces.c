@@ -265,63 +265,54 @@ static enum status_code run_shown(struct pass *all, struct status *status)
     return STATUS_OK;
 }
 
-/** Measurements of the baseline are given by the scene or by the surface, not both. */
-static enum status_code check_both(const struct scene *scene, const struct scene_surface *surface,
-                                   struct status *status)
+/** Reads the measurements of every surface, and behind them the scene's, before any model runs. */
+static enum status_code read_measured(struct all_surfaces *out, struct status *status)
 {
-    if (scene->measured.files.count == 0 || surface->measured.files.count == 0)
-        return STATUS_OK;
-    return status_fail(status, STATUS_SCENE,
-                       "the baseline, '%s', has 'measured' of its own and the scene's; remove either",
-                       scene_words_show(surface->name).text);
-}
-
-/** Checks the files of measurements before any model runs. The modulus only scales loads, so any will do. */
-static enum status_code check_measured(const struct scene *scene, const struct plan *plan, struct status *status)
-{
-    const struct material_pair any = {.effective_modulus_Pa = 1};
+    const struct scene *scene = out->results.scene;
     const struct scene_measured *first = NULL;
     size_t before = 0;
-    for (size_t i = 0; i <= scene->surface_count && status->code == STATUS_OK; i++) {
-        const struct scene_surface *surface = i > 0 ? &scene->surfaces[i - 1] : NULL;
-        struct measured measured = {.given = surface ? &surface->measured : &scene->measured, .before = before};
-        if (measured.given->files.count == 0)
+    if (!(out->measured = calloc(scene->surface_count + 1, sizeof *out->measured)))
+        return status_memory(status);
+    for (size_t i = 0; i <= scene->surface_count; i++) {
+        const bool own = i < scene->surface_count;
+        const struct scene_measured *given = own ? &scene->surfaces[i].measured : &scene->measured;
+        /* the modulus only scales loads: which surface has the scene's is not known yet */
+        const struct material_pair any = {.effective_modulus_Pa = 1},
+                                   pair = own ? scene_pair(&scene->surfaces[i].bodies) : any;
+        out->measured[i] = (struct measured){.given = given, .before = before};
+        if (given->files.count == 0)
             continue;
-        first = first ? first : measured.given;
-        if (measured_read(&measured, scene, plan, &any, status) == STATUS_OK &&
-            first->quantity != measured.given->quantity)
-            (void)!status_fail(status, STATUS_SCENE, "both ECR and TCR are measured; take out one of them");
-        before += measured.count;
-        measured_free(&measured);
-        if (surface && status->code == STATUS_OK &&
-            (scene->surface_count == 1 || (scene->baseline && strcmp(scene->baseline, surface->name) == 0)))
-            (void)check_both(scene, surface, status);
+        if (measured_read(&out->measured[i], scene, &out->plan, &pair, status) != STATUS_OK)
+            return status->code;
+        first = first ? first : given;
+        if (first->quantity != given->quantity)
+            return status_fail(status, STATUS_SCENE, "both ECR and TCR are measured; take out one of them");
+        before += out->measured[i].count;
     }
-    return status->code;
+    return STATUS_OK;
 }
 
-/** Reads the measurements of usable surfaces: the scene's for the baseline, else the surface's own. */
-static enum status_code read_measured(struct all_surfaces *out, struct status *status)
+/** Gives the scene's measurements to the baseline, and drops those of surfaces that cannot be used. */
+static enum status_code place_measured(struct all_surfaces *out, struct status *status)
 {
     struct results *results = &out->results;
     const struct scene *scene = results->scene;
-    size_t before = 0;
-    for (size_t k = 0; k < results->usable_count; k++) {
-        size_t i = results->by_roughness[k];
-        const struct scene_surface *surface = &scene->surfaces[i];
-        bool both = i == results->baseline && scene->measured.files.count > 0;
-        const struct scene_measured *given = both ? &scene->measured : &surface->measured;
-        if (both && check_both(scene, surface, status) != STATUS_OK)
+    const struct scene_surface *baseline = &scene->surfaces[results->baseline];
+    struct measured *measured = &out->measured[results->baseline];
+    if (results->usable_count > 0 && scene->measured.files.count > 0) {
+        if (baseline->measured.files.count > 0)
+            return status_fail(status, STATUS_SCENE,
+                               "the baseline, '%s', has 'measured' of its own and the scene's; remove either",
+                               scene_words_show(baseline->name).text);
+        measured->given = &scene->measured;
+        if (measured_read(measured, scene, &out->plan, results_pair(results, results->baseline), status) != STATUS_OK)
             return status->code;
-        if (given->files.count == 0)
-            continue;
-        if (!out->measured && !(out->measured = calloc(results->surface_count, sizeof *out->measured)))
-            return status_memory(status);
-        results->measured = out->measured;
-        out->measured[i] = (struct measured){.given = given, .before = before};
-        if (measured_read(&out->measured[i], scene, &out->plan, results_pair(results, i), status) != STATUS_OK)
-            return status->code;
-        before += out->measured[i].count;
+    }
+    for (size_t i = 0; i < results->surface_count; i++) {
+        if (!results->surfaces[i].summary.usable)
+            measured_free(&out->measured[i]);
+        if (out->measured[i].count > 0)
+            results->measured = out->measured;
     }
     return STATUS_OK;
 }
@@ -346,7 +337,7 @@ enum status_code all_surfaces_run(struct all_surfaces *out, const struct scene *
         plan_make(&out->plan, scene, &out->words);
     if (status->code != STATUS_OK)
         return status->code;
-    if (check_measured(scene, &out->plan, status) != STATUS_OK || make_loads(out, scene, status) != STATUS_OK ||
+    if (read_measured(out, status) != STATUS_OK || make_loads(out, scene, status) != STATUS_OK ||
         read_counterface(out, scene, status) != STATUS_OK)
         return status->code;
     const struct threads *threads = &results->threads;
@@ -376,7 +367,6 @@ enum status_code all_surfaces_run(struct all_surfaces *out, const struct scene *
         effects_fit_models(&out->plan, results->surfaces, results->surface_count);
     else
         effects_decide(&out->plan, scene, results->surfaces, results->surface_count);
-    all.tables = NULL;
     if (rc == STATUS_OK)
         rc = results_rank(results, status);
     if (rc == STATUS_OK && results->usable_count > 0 && plan_running_models(&out->plan) == 0)
@@ -393,7 +383,7 @@ enum status_code all_surfaces_run(struct all_surfaces *out, const struct scene *
         if (record->curves) /* on its own, a map was led by its direct solution */
             answers_check_limits(record, scene, &out->plan, &task);
     }
-    (void)read_measured(out, status);
+    (void)place_measured(out, status);
     return status->code; /* perhaps a missing word in words.txt */
 }
 
@@ -402,7 +392,7 @@ void all_surfaces_free(struct all_surfaces *prepared)
     for (size_t i = 0; prepared->results.surfaces && i < prepared->results.surface_count; i++)
         surface_record_free(&prepared->results.surfaces[i]);
     free(prepared->results.surfaces);
-    for (size_t i = 0; prepared->measured && i < prepared->results.surface_count; i++)
+    for (size_t i = 0; prepared->measured && i <= prepared->results.surface_count; i++)
         measured_free(&prepared->measured[i]);
     free(prepared->measured);
     if (prepared->counterface)

@@ -15,7 +15,7 @@ struct all_surfaces {
     struct plan plan;                   /* the effects that run */
     double *loads;                      /* P/(A_n E') */
     struct surface_record *counterface; /* NULL: smooth */
-    struct measured *measured;          /* one a surface; NULL: none */
+    struct measured *measured;          /* one a surface, and the scene's */
     struct words words;
     struct results results;
     struct results_infinite infinite; /* infinite numbers in the tables */

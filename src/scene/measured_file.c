@@ -114,9 +114,10 @@ static bool title_unit(struct measured_unit *out, struct string_view *unknown, s
     return is_unit(out, title, quantities & ~(unsigned)UNIT_LOADS); /* K/W */
 }
 
-static enum status_code refuse_unit(const struct reading *in, size_t column, struct string_view text)
+static enum status_code refuse_unit(struct reading *in, size_t column, struct string_view text)
 {
     unsigned asked = in->quantities[column];
+    in->line = in->heading_line;
     return status_fail(in->status, STATUS_SCENE, "'%s' is no unit of %s; understood: %s; columns are %s",
                        scene_words_show_view(text).text,
                        in->field                  ? column_names[1][column]
@@ -156,7 +157,6 @@ static enum status_code heading_read(struct reading *in)
         }
     in->order = orders[0];
     (void)heading_units(in, false, unknown);
-    in->line = in->heading_line;
     for (size_t c = 0; c < MEASURED_COLUMNS; c++)
         if (!in->out->units[c].known && unknown[c].start)
             return refuse_unit(in, c, unknown[c]);
@@ -191,16 +191,13 @@ static enum status_code row_read(const struct reading *in, struct measured_row *
     return STATUS_OK;
 }
 
-static enum status_code row_add(struct reading *in, size_t *capacity, const struct cells *cells)
+static enum status_code row_add(struct reading *in, const struct cells *cells)
 {
     struct measured_file *out = in->out;
-    size_t line = in->line;
     if (out->count == 0 && heading_read(in) != STATUS_OK)
         return in->status->code;
-    in->line = line;
-    if (out->count == *capacity) {
-        *capacity = *capacity ? 2 * *capacity : 64;
-        struct measured_row *more = reallocarray(out->rows, *capacity, sizeof *more);
+    if ((out->count & (out->count - 1)) == 0) { /* full at 0, 1, 2, 4, 8 */
+        struct measured_row *more = reallocarray(out->rows, 2 * out->count + 1, sizeof *more);
         if (!more)
             return status_memory(in->status);
         out->rows = more;
@@ -211,7 +208,7 @@ static enum status_code row_add(struct reading *in, size_t *capacity, const stru
     return rc;
 }
 
-static enum status_code line_read(struct reading *in, size_t *capacity, struct string_view line)
+static enum status_code line_read(struct reading *in, struct string_view line)
 {
     if (in->line > limit_most(LIMIT_MEASURED_LINES))
         return status_fail(in->status, STATUS_SCENE, "too many lines%s", limit_words(LIMIT_MEASURED_LINES).text);
@@ -235,7 +232,7 @@ static enum status_code line_read(struct reading *in, size_t *capacity, struct s
         without_first(&cells);
     const struct string_view first = cells.cell[0];
     if (number_scan(first, NUMBER_EITHER, NULL, &value))
-        return row_add(in, capacity, &cells);
+        return row_add(in, &cells);
     if (in->out->count > 0 || (is_no_value(first) && starts_number(cells.cell[1])))
         return status_fail(in->status, STATUS_SCENE,
                            "'%s' is no %s; correct the row or remove it, or put # before a remark",
@@ -256,14 +253,13 @@ enum status_code measured_file_read(struct measured_file *out, struct string_vie
                          .field = quantities[MEASURED_LOAD] & UNIT_DISTANCE,
                          .order = orders[0],
                          .status = status};
-    size_t capacity = 0;
     if (string_view_starts(content, "\xEF\xBB\xBF"))
         content.start += 3;
     struct lines lines = lines_begin(content);
     enum status_code rc = STATUS_OK;
     for (struct string_view line; rc == STATUS_OK && lines_next(&lines, &line);) {
         in.line = lines.number;
-        rc = line_read(&in, &capacity, line);
+        rc = line_read(&in, line);
     }
     if (rc == STATUS_SCENE)
         return status_prefix(status, "%s:%zu", name, in.line);
