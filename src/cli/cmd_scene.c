@@ -207,29 +207,30 @@ static json_t *effects_json(const struct results *results)
     return effects;
 }
 
+static json_t *models_json(const struct plan *plan)
+{
+    json_t *models = json_array();
+    for (size_t m = 0; m < model_count; m++)
+        json_array_append_new(models, json_pack("{s:s, s:s, s:b, s:s}", "model", model_rows[m]->name, "label",
+                                                model_rows[m]->label, "runs", plan_runs_model(plan, m), "valid",
+                                                model_rows[m]->valid));
+    return models;
+}
+
 /** The plan of a report, and roughly how long it takes: `results` NULL where there is none, and `error` says why. */
 static void print_plan(const struct results *results, double rough_seconds, const char *directory, const char *messages,
                        int exit_status, const char *error)
 {
     json_t *json = begin_json(directory, messages, exit_status, results ? NULL : error);
-    json_t *models = json_array();
-    for (size_t m = 0; m < model_count && results; m++)
-        json_array_append_new(models, json_pack("{s:s, s:s, s:b, s:s}", "model", model_rows[m]->name, "label",
-                                                model_rows[m]->label, "runs", plan_runs_model(results->plan, m),
-                                                "valid", model_rows[m]->valid));
     if (results) {
         const struct scene *scene = results->scene;
-        json_object_set_new(json, "effects", effects_json(results));
-        json_object_set_new(json, "seconds", json_real(rough_seconds));
-        json_object_set(json, "models", models);
-        json_object_set_new(json, "surfaces", surfaces_json(results));
-        json_object_set_new(json, "material_known", json_boolean(results_has_material(results)));
-        json_object_set_new(json, "loads", json_integer((json_int_t)results->load_count));
-        json_object_set_new(json, "targets", json_integer((json_int_t)scene->target_count));
-        json_object_set_new(json, "tolerance", json_real(scene->tolerance));
-        json_object_set_new(json, "closure", json_string(sinusoid_fits[scene->closure].name));
+        json_object_update_new(
+            json, json_pack("{s:o, s:f, s:o, s:o, s:b, s:I, s:I, s:f, s:s}", "effects", effects_json(results),
+                            "seconds", rough_seconds, "models", models_json(results->plan), "surfaces",
+                            surfaces_json(results), "material_known", results_has_material(results), "loads",
+                            (json_int_t)results->load_count, "targets", (json_int_t)scene->target_count, "tolerance",
+                            scene->tolerance, "closure", sinusoid_fits[scene->closure].name));
     }
-    json_decref(models);
     command_json_print(json);
 }
 
@@ -295,10 +296,9 @@ static int fail(const struct arguments *arguments, const struct run_outcome *out
     return exit_status;
 }
 
-/** *written: the path of the report, owned; NULL: there is none. */
-static int report(char **written, struct arguments *arguments, struct scene *scene, struct status *status)
+static int report(struct run_outcome *outcome, struct arguments *arguments, const struct scene *scene,
+                  struct status *status)
 {
-    struct run_outcome outcome = {0};
     char size[32];
     int columns, rows, exit_status = COMMAND_DONE;
     command_terminal_size(&columns, &rows);
@@ -309,33 +309,30 @@ static int report(char **written, struct arguments *arguments, struct scene *sce
     arguments->run.progress = isatty(STDERR_FILENO) ? progress : NULL;
     signal(SIGPIPE,
            SIG_IGN); /* without a reader of the output the report is still made, and command_finish() says so */
-    enum status_code rc = run_report(&outcome, scene, &arguments->run, status);
+    enum status_code rc = run_report(outcome, scene, &arguments->run, status);
     if (rc != STATUS_INTERRUPTED)
-        fputs(text_string(&outcome.messages), stderr);
+        fputs(text_string(&outcome->messages), stderr);
     if (rc != STATUS_OK) {
-        exit_status = fail(arguments, &outcome, status);
+        exit_status = fail(arguments, outcome, status);
     } else {
-        fputs(text_string(&outcome.charts), stdout);
+        fputs(text_string(&outcome->charts), stdout);
         if (!arguments->json)
-            printf("%s\n%s\n", text_string(&outcome.table), outcome.path);
-        if (outcome.refused + outcome.left_out > 0)
+            printf("%s\n%s\n", text_string(&outcome->table), outcome->path);
+        if (outcome->refused + outcome->left_out > 0)
             exit_status = COMMAND_REFUSED;
-        if (arguments->check && outcome.missed_count + outcome.undecided_count > 0) {
-            fputs(text_string(&outcome.missed), stderr);
-            fputs(text_string(&outcome.undecided), stderr);
+        if (arguments->check && outcome->missed_count + outcome->undecided_count > 0) {
+            fputs(text_string(&outcome->missed), stderr);
+            fputs(text_string(&outcome->undecided), stderr);
             /* refused scans are named too, but the check is what was asked for */
-            exit_status = outcome.missed_count > 0 ? COMMAND_MISSED : COMMAND_UNDECIDED;
+            exit_status = outcome->missed_count > 0 ? COMMAND_MISSED : COMMAND_UNDECIDED;
         }
         if (arguments->verbose) {
-            fprintf(stderr, "\n%s", text_string(&outcome.work));
-            print_times(&outcome.times);
+            fprintf(stderr, "\n%s", text_string(&outcome->work));
+            print_times(&outcome->times);
         }
         if (arguments->json)
-            print_report(&outcome, arguments->directory, exit_status, NULL);
+            print_report(outcome, arguments->directory, exit_status, NULL);
     }
-    *written = outcome.path;
-    outcome.path = NULL;
-    run_outcome_free(&outcome);
     return exit_status;
 }
 
@@ -344,7 +341,7 @@ static int run(int argc, char **argv, const struct argp *argp, bool direct)
     struct arguments arguments = {.overrides.direct = direct};
     struct status status = {0};
     struct scene scene = {0};
-    char *written = NULL;
+    struct run_outcome outcome = {0};
     command_parse(argp, argc, argv, &arguments);
     enum status_code rc = scene_read(&scene, arguments.directory, &arguments.overrides, &status);
     if (rc == STATUS_OK && arguments.check && scene.limit_count == 0) /* a check of nothing must not pass */
@@ -352,10 +349,10 @@ static int run(int argc, char **argv, const struct argp *argp, bool direct)
                          "--check: the scene has no 'limits' to check; add them, or leave --check out");
     if (rc == STATUS_OK)
         rc = command_templates(&arguments.run.templates, &status);
-    int exit_status = rc == STATUS_OK ? report(&written, &arguments, &scene, &status) : fail(&arguments, NULL, &status);
+    int exit_status = rc == STATUS_OK ? report(&outcome, &arguments, &scene, &status) : fail(&arguments, NULL, &status);
     scene_free(&scene);
-    exit_status = command_finish(exit_status, written);
-    free(written);
+    exit_status = command_finish(exit_status, outcome.path);
+    run_outcome_free(&outcome);
     return exit_status;
 }
 
@@ -431,7 +428,7 @@ int command_plan(int argc, char **argv)
     if (rc == STATUS_OK)
         rc = all_surfaces_run(&prepared, &scene, &arguments.run, true, NULL, &status);
     const struct results *results = &prepared.results;
-    size_t refused = messages_add(&messages, results, false);
+    size_t left_out, refused = messages_add(&messages, &left_out, results, false);
     fputs(text_string(&messages), stderr);
     if (rc == STATUS_OK && refused == scene.surface_count)
         rc = status_fail(&status, STATUS_SCAN, "no usable surface in '%s'", scene.directory);
@@ -441,7 +438,6 @@ int command_plan(int argc, char **argv)
         add_plan(&table, results, seconds);
     if ((rc = status.code) == STATUS_OK) /* words.txt may lack a line */
         fputs(text_string(&table), stdout);
-    size_t left_out = messages_left_out(&prepared);
     int exit_status = rc != STATUS_OK ? command_fail(&status) : refused + left_out > 0 ? COMMAND_REFUSED : COMMAND_DONE;
     if (arguments.json)
         print_plan(rc == STATUS_OK ? results : NULL, seconds, arguments.directory, text_string(&messages), exit_status,

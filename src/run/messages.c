@@ -78,16 +78,18 @@ static bool take(struct kind kinds[KINDS], const char *surface, const struct not
     return true;
 }
 
-size_t messages_add(struct text *messages, const struct results *results, bool reported)
+size_t messages_add(struct text *messages, size_t *left_out, const struct results *results, bool reported)
 {
     size_t refused = 0, refusals = 0; /* surfaces; surfaces and scans */
     struct kind kinds[KINDS] = {0};   /* in the order in which they were met */
+    *left_out = results->counterface ? results->counterface->summary.refused_scans : 0;
     if (results->scene && results->scene->passed_over)
         text_add(messages, "%s\n", results->scene->passed_over);
     for (size_t i = 0; results->surfaces && i < results->surface_count; i++) {
         const struct surface_summary *summary = &results->surfaces[i].summary;
         const char *name = summary->scene ? summary->scene->name : NULL;
         refused += summary->refusal != NULL;
+        *left_out += summary->usable ? summary->refused_scans : 0;
         if (summary->refusal && refusals++ < REFUSALS_SAID)
             say(messages, name, " refused", summary->refusal);
         for (size_t n = 0; n < summary->notes.count; n++) {
@@ -105,13 +107,4 @@ size_t messages_add(struct text *messages, const struct results *results, bool r
     for (size_t k = 0; k < KINDS && kinds[k].note; k++)
         say_note(messages, &kinds[k], results->plan->words);
     return refused;
-}
-
-size_t messages_left_out(const struct all_surfaces *prepared)
-{
-    const struct results *results = &prepared->results;
-    size_t count = prepared->counterface ? prepared->counterface->summary.refused_scans : 0;
-    for (size_t i = 0; results->surfaces && i < results->surface_count; i++)
-        count += results->surfaces[i].summary.usable ? results->surfaces[i].summary.refused_scans : 0;
-    return count;
 }

@@ -5,11 +5,9 @@
 
 #include "run/all_surfaces.h"
 
-/** Adds a line for each; returns the number of refused surfaces. If a report has the notes too (`reported`), those that
+/** Adds a line for each; returns the number of refused surfaces, and in *left_out that of refused scans of surfaces,
+ * and of the counterface, that are used with their other scans. If a report has the notes too (`reported`), those that
  * differ only in numbers and quoted names become one line: that of the first surface, with the number of the others. */
-size_t messages_add(struct text *messages, const struct results *results, bool reported);
-
-/** Number of refused scans of surfaces, and of the counterface, that are used with their other scans. */
-size_t messages_left_out(const struct all_surfaces *prepared);
+size_t messages_add(struct text *messages, size_t *left_out, const struct results *results, bool reported);
 
 #endif

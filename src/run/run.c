@@ -323,9 +323,8 @@ enum status_code run_report(struct run_outcome *out, const struct scene *scene, 
         rc = (*status = (struct status){0}, status_memory(status));
     if (rc == STATUS_OK && asprintf(&out->path, "%s/report.html", run.output.target) < 0)
         rc = status_memory(status);
-    out->refused = messages_add(&out->messages, &run.prepared.results, rc == STATUS_OK);
-    out->surfaces = run.prepared.results.surface_count - out->refused;
-    out->left_out = messages_left_out(&run.prepared) + run.prepared.infinite.count + run.direct_lost;
+    out->refused = messages_add(&out->messages, &out->left_out, &run.prepared.results, rc == STATUS_OK);
+    out->left_out += run.prepared.infinite.count + run.direct_lost;
     if (run.prepared.infinite.count > 0)
         text_add(&out->messages,
                  "%zu number%s came out infinite and %s left empty, the first %s; check units and loads\n",

@@ -32,13 +32,13 @@ struct run_times {
 };
 
 struct run_outcome {
-    size_t surfaces, refused; /* of the scene */
-    size_t left_out;          /* scans refused of surfaces that have others, and infinite numbers */
-    struct text messages;     /* messages_add(): one line a refused surface and a warning */
-    struct text table;        /* the first page's table and sentence for a terminal */
-    struct text missed;       /* one line for each surface and limit that it misses */
-    size_t missed_count;      /* of those */
-    struct text undecided;    /* the same for limits that are undecided, or have no value */
+    size_t refused;        /* surfaces of the scene */
+    size_t left_out;       /* scans refused of surfaces that have others, and infinite numbers */
+    struct text messages;  /* messages_add(): one line a refused surface and a warning */
+    struct text table;     /* the first page's table and sentence for a terminal */
+    struct text missed;    /* one line for each surface and limit that it misses */
+    size_t missed_count;   /* of those */
+    struct text undecided; /* the same for limits that are undecided, or have no value */
     size_t undecided_count;
     struct text charts;     /* when terminal_size was given */
     char *path;             /* of report.html */

@@ -114,10 +114,10 @@ unsigned plan_quantities(const struct plan *plan)
 
 bool plan_uses_asperities(const struct plan *plan)
 {
+    bool uses = false;
     for (size_t m = 0; m < model_count; m++)
-        if (plan_runs_model(plan, m) && model_rows[m]->asperity_model)
-            return true;
-    return false;
+        uses = uses || (plan_runs_model(plan, m) && model_rows[m]->asperity_model);
+    return uses;
 }
 
 size_t plan_leading_model(const struct plan *plan)

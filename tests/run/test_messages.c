@@ -41,7 +41,7 @@ static const char *said_of(const struct surface_record *surface, size_t count, b
     struct results results = {
         .scene = &scene, .plan = &plan, .surfaces = (struct surface_record *)surface, .surface_count = count};
     struct text *text = support_text();
-    assert_int_equal(messages_add(text, &results, reported), refused);
+    assert_int_equal(messages_add(text, &(size_t){0}, &results, reported), refused);
     return text_string(text);
 }
 
