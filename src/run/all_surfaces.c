@@ -71,25 +71,16 @@ static void plan_direct(struct plan *plan, const struct results *results)
 static enum status_code make_loads(struct all_surfaces *out, const struct scene *scene, struct status *status)
 {
     struct results *results = &out->results;
-    double modulus_Pa = scene_pair(&scene->surfaces[0].bodies).effective_modulus_Pa;
-    for (size_t i = 1; i < scene->surface_count && scene->load.kind != UNIT_NUMBER; i++)
-        results->loads_apart |= scene_pair(&scene->surfaces[i].bodies).effective_modulus_Pa != modulus_Pa;
-    for (size_t i = 0; i < (results->loads_apart ? scene->surface_count : 1); i++) {
-        struct material_pair pair = scene_pair(&scene->surfaces[i].bodies);
-        size_t count, operating;
-        double *own;
-        if (scene_loads(&own, &count, &operating, scene, &pair, status) != STATUS_OK)
-            return status->code;
-        double *all = reallocarray(out->loads, (i + 1) * count, sizeof *all);
-        if (all)
-            memcpy((out->loads = all) + i * count, own, count * sizeof *own);
-        free(own);
-        if (!all)
-            return status_memory(status);
-        if (i == 0)
-            out->plan.operating_place = operating + 1;
-        results->load_count = count;
+    results->loads_apart = scene->load.kind != UNIT_NUMBER && !scene_has_one_modulus(scene);
+    const size_t lists = results->loads_apart ? scene->surface_count : 1;
+    size_t operating = 0;
+    if (!(out->loads = calloc(lists * (scene->load.points + 1), sizeof *out->loads)))
+        return status_memory(status);
+    for (size_t i = 0; i < lists; i++) {
+        const struct material_pair pair = scene_pair(&scene->surfaces[i].bodies);
+        results->load_count = scene_loads(out->loads + i * results->load_count, &operating, scene, &pair);
     }
+    out->plan.operating_place = operating + 1;
     results->loads = out->loads;
     return STATUS_OK;
 }

@@ -218,8 +218,7 @@ static void check_load_kind(const struct scene *scene, struct scene_source *sour
                  unit_quantity_name(kind));
 }
 
-/* Is E' the same for all surfaces? */
-static bool has_one_modulus(const struct scene *scene)
+bool scene_has_one_modulus(const struct scene *scene)
 {
     bool one = true;
     for (size_t i = 1; i < scene->surface_count; i++)
@@ -250,7 +249,7 @@ static void check_loads(struct scene *scene, struct scene_source *source)
         most = i == 0 ? load->values[i] : fmax(most, load->values[i]);
     }
     check_load_kind(scene, source, key, key, one->kind);
-    if ((one->kind == UNIT_NUMBER) != (load->kind == UNIT_NUMBER) && !has_one_modulus(scene))
+    if ((one->kind == UNIT_NUMBER) != (load->kind == UNIT_NUMBER) && !scene_has_one_modulus(scene))
         FAIL_KEY(
             source, key,
             "'%s' is %s and the loads are %s, which differ from material to material; give both in one kind of unit",

@@ -255,9 +255,11 @@ double scene_load_of(const struct scene_quantity *one, const struct scene *scene
 /** The same in the kind of the scene's loads. */
 double scene_load_as(const struct scene_quantity *one, const struct scene *scene, const struct material_pair *pair);
 
-/** The scene's loads on a pair of bodies as P/(A_n E'), ascending, without duplicates: malloc'ed *loads, *count of
- * them, the same count for every pair; *operating is the index of the summary's load. Error: STATUS_MEMORY. */
-MUST_CHECK enum status_code scene_loads(double **loads, size_t *count, size_t *operating, const struct scene *scene,
-                                        const struct material_pair *pair, struct status *status);
+/** Is E' the same for all surfaces? */
+bool scene_has_one_modulus(const struct scene *scene);
+
+/** The scene's loads on a pair of bodies as P/(A_n E'), ascending, without duplicates, into an array with room for
+ * load.points + 1. Returns their count, the same for every pair; *operating is the index of the summary's load. */
+size_t scene_loads(double *all, size_t *operating, const struct scene *scene, const struct material_pair *pair);
 
 #endif

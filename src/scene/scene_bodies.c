@@ -4,7 +4,6 @@
 
 #include <gsl/gsl_sort_double.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 struct material_pair scene_pair(const struct scene_bodies *bodies)
@@ -77,18 +76,12 @@ double scene_load_of(const struct scene_quantity *one, const struct scene *scene
     return scene_load_as(one, scene, pair) / scene_load_divisor(scene, scene->load.kind, pair);
 }
 
-enum status_code scene_loads(double **loads, size_t *count, size_t *operating, const struct scene *scene,
-                             const struct material_pair *pair, struct status *status)
+size_t scene_loads(double *all, size_t *operating, const struct scene *scene, const struct material_pair *pair)
 {
     const struct scene_load *load = &scene->load;
     double divisor = scene_load_divisor(scene, load->kind, pair),
            operates = scene_load_as(&scene->operating, scene, pair);
-    size_t points = load->points;
-    double *all = malloc((points + 1) * sizeof *all);
-    *loads = all;
-    *count = 0;
-    if (!all)
-        return status_memory(status);
+    size_t points = load->points, count = 0;
     if (load->values)
         memcpy(all, load->values, points * sizeof *all);
     else
@@ -97,16 +90,16 @@ enum status_code scene_loads(double **loads, size_t *count, size_t *operating, c
         all[points++] = operates;
     gsl_sort(all, 1, points);
     for (size_t i = 0; i < points; i++)
-        if (i == 0 || all[i] != all[*count - 1])
-            all[(*count)++] = all[i];
-    *operating = *count / 2;
-    for (size_t i = 0; i < *count; i++)
+        if (i == 0 || all[i] != all[count - 1])
+            all[count++] = all[i];
+    *operating = count / 2;
+    for (size_t i = 0; i < count; i++)
         if (operates > 0 && all[i] == operates)
             *operating = i;
-    for (size_t i = 0; i < *count && load->kind != UNIT_NUMBER; i++) {
+    for (size_t i = 0; i < count && load->kind != UNIT_NUMBER; i++) {
         all[i] /= divisor;
         if (i > 0 && !(all[i] > all[i - 1])) /* neighbours that rounding made one: as many on every surface */
             all[i] = nextafter(all[i - 1], INFINITY);
     }
-    return STATUS_OK;
+    return count;
 }

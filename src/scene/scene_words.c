@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "scene/scene_words.h"
+#include "base/text.h"
 
 #include <ctype.h>
 #include <math.h>
@@ -18,13 +19,10 @@ struct scene_words_shown scene_words_show_view(struct string_view view)
     struct scene_words_shown shown;
     const char *text = view.start;
     size_t length = string_view_length(view);
-    size_t most = sizeof shown.text - sizeof "...";
-    bool whole = length <= most;
-    if (!whole) {
-        length = most;
-        while (length > 0 && ((unsigned char)text[length] & 0xc0) == 0x80) /* not inside a UTF-8 character */
-            length--;
-    }
+    const size_t most = sizeof shown.text - sizeof "...";
+    const bool whole = length <= most;
+    if (!whole)
+        length = text_fit(text, most);
     for (size_t i = 0; i < length; i++) {
         unsigned char c = (unsigned char)text[i];
         shown.text[i] = c < 0x20 || c == 0x7f ? '?' : text[i];

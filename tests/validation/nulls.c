@@ -167,12 +167,12 @@ static void compare(struct count *out, const struct surface_summary *first, cons
 void analysis_make(struct analysis *out, const struct directory *place)
 {
     struct plan *plan = &out->plan;
-    double *loads;
-    size_t count, operating;
+    size_t operating;
     expect_ok(scene_read, &out->scene, place->path, NULL);
     plan_make(plan, &out->scene, NULL);
     struct material_pair pair = scene_pair(&out->scene.surfaces[0].bodies);
-    expect_ok(scene_loads, &loads, &count, &operating, &out->scene, &pair);
+    double *loads = support_room((out->scene.load.points + 1) * sizeof *loads);
+    const size_t count = scene_loads(loads, &operating, &out->scene, &pair);
     plan->operating_place = operating + 1;
     out->record = coverage_allocate(out->scene.surface_count, sizeof *out->record);
     const struct surface_task task = {.scene = &out->scene, .plan = plan, .loads = loads, .load_count = count};
@@ -185,7 +185,6 @@ void analysis_make(struct analysis *out, const struct directory *place)
     for (size_t k = 0; k < out->scene.surface_count; k++)
         expect_ok(surface_answers_find, &out->record[k], &task);
     effects_fit_models(plan, out->record, out->scene.surface_count);
-    free(loads);
 }
 
 void analysis_free(struct analysis *analysis)
