@@ -18,46 +18,25 @@ static double own_seconds(void)
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-/** A model's curve, computed anew. */
-struct curve_attempt {
-    const struct surface_record *surface;
-    const struct surface_task *asked;
-    size_t m;
-    struct spectrum spectrum; /* of the surface, at most HARMONICS_MOST of it */
-    double tolerance;
-    double loads[LOADS_MOST];
-    size_t load_count;
-    struct contact_point *points; /* of the model */
-    uint64_t evaluations;
-    bool failed;
-};
-
-static void solve_curve(struct curve_attempt *attempt)
-{
-    struct model_task task = surface_model_task(attempt->surface, attempt->asked);
-    struct model_curve curve = {.points = attempt->points};
-    struct status status = {0};
-    task.spectrum = &attempt->spectrum;
-    task.tolerance = attempt->tolerance;
-    task = model_task_at(&task, attempt->loads, attempt->load_count);
-    attempt->failed = model_run(&curve, model_rows[attempt->m], &task, &status) != STATUS_OK;
-    attempt->evaluations = curve.evaluations;
-}
-
-/** Times it: the least of several runs if they are short. */
-static double time_of(struct curve_attempt *attempt)
+/** Times a model's curve: the least of several runs if they are short. */
+static enum status_code time_model(struct benchmark_row *row, struct contact_point *points,
+                                   const struct model_task *task, struct status *status)
 {
     enum { RUNS_MOST = 12 };
     const double enough_seconds = 2e-3;
-    double least = INFINITY, total = 0;
+    double total = 0;
+    row->seconds = INFINITY;
     for (int run = 0; run < RUNS_MOST && total < enough_seconds; run++) {
-        double started = own_seconds();
-        solve_curve(attempt);
-        double passed = own_seconds() - started;
-        least = fmin(least, passed);
+        struct model_curve curve = {.points = points};
+        const double started = own_seconds();
+        if (model_run(&curve, model_rows[row->model], task, status) != STATUS_OK)
+            return status->code;
+        const double passed = own_seconds() - started;
+        row->seconds = fmin(row->seconds, passed);
+        row->evaluations = curve.evaluations;
         total += passed;
     }
-    return least;
+    return STATUS_OK;
 }
 
 /** The largest relative error over the quantities shown in charts. */
@@ -79,27 +58,30 @@ static enum status_code measure_model(struct benchmark *out, const struct surfac
 {
     static const double tolerance[BENCHMARK_STEPS] = {1e-13, 1e-10, 1e-6, 1e-2};
     const size_t step = (asked->load_count + LOADS_MOST - 1) / LOADS_MOST;
-    struct contact_point *best = calloc(2 * (LOADS_MOST + 1), sizeof *best);
-    if (!best)
-        return status_memory(status);
-    struct curve_attempt attempt = {.surface = surface, .asked = asked, .m = m, .spectrum = surface->spectrum};
-    if (attempt.spectrum.count > HARMONICS_MOST) {
-        attempt.spectrum.count = HARMONICS_MOST;
-        attempt.spectrum.has_nyquist = false;
+    struct spectrum spectrum = surface->spectrum;
+    struct model_task task = surface_model_task(surface, asked);
+    double loads[LOADS_MOST];
+    size_t count = 0;
+    struct contact_point *best = calloc(2 * (LOADS_MOST + 1), sizeof *best), *points = best;
+    enum status_code rc = best ? STATUS_OK : status_memory(status);
+    if (spectrum.count > HARMONICS_MOST) {
+        spectrum.count = HARMONICS_MOST;
+        spectrum.has_nyquist = false;
     }
     for (size_t i = 0; i < asked->load_count; i += step)
-        attempt.loads[attempt.load_count++] = asked->loads[i];
+        loads[count++] = asked->loads[i];
+    task.spectrum = &spectrum;
+    task = model_task_at(&task, loads, count);
     out->count += BENCHMARK_STEPS;
-    for (int t = 0; t < BENCHMARK_STEPS && !attempt.failed; t++) {
+    for (int t = 0; t < BENCHMARK_STEPS && rc == STATUS_OK; t++, points = best + LOADS_MOST + 1) {
         struct benchmark_row *row = &out->rows[out->count - 1 - (size_t)t];
-        attempt.tolerance = tolerance[t];
-        attempt.points = t == 0 ? best : best + LOADS_MOST + 1;
-        *row = (struct benchmark_row){.model = m, .tolerance = tolerance[t], .seconds = time_of(&attempt)};
-        row->evaluations = attempt.evaluations;
-        row->error = largest_error(attempt.points, best, LOADS_MOST + 1);
+        *row = (struct benchmark_row){.model = m, .tolerance = tolerance[t]};
+        task.tolerance = tolerance[t];
+        rc = time_model(row, points, &task, status);
+        row->error = largest_error(points, best, LOADS_MOST + 1);
     }
     free(best);
-    return attempt.failed ? status_memory(status) : STATUS_OK;
+    return rc;
 }
 
 enum status_code benchmark_measure(struct benchmark *out, const struct surface_record *surface,

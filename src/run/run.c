@@ -73,7 +73,7 @@ static void add_times(struct run_times *times, const struct results *results)
         times->tiles += summary->times.tiles;
         times->convergence += summary->times.convergence;
         times->uncertainty += summary->times.uncertainty;
-        for (size_t m = 0; times->models && m < model_count; m++)
+        for (size_t m = 0; m < model_count; m++)
             times->models[m] += surface_model(summary, m)->seconds;
     }
 }
@@ -307,11 +307,9 @@ enum status_code run_report(struct run_outcome *out, const struct scene *scene, 
 {
     struct run run = {.scene = scene, .options = options, .started = clock_seconds(), .gnuplot.input = -1};
     char gnuplot[GNUPLOT_PATH]; /* looked for before any work is done */
-    *out = (struct run_outcome){.times.models = calloc(model_count, sizeof *out->times.models)};
-    if (!out->times.models)
-        (void)status_memory(status);
-    else if (export_check(scene, options->templates, status) == STATUS_OK && begin_output(&run, status) == STATUS_OK &&
-             gnuplot_find(gnuplot, status) == STATUS_OK && evaluate(&run, out, status) == STATUS_OK && !stopped(&run))
+    *out = (struct run_outcome){.path = NULL};
+    if (export_check(scene, options->templates, status) == STATUS_OK && begin_output(&run, status) == STATUS_OK &&
+        gnuplot_find(gnuplot, status) == STATUS_OK && evaluate(&run, out, status) == STATUS_OK && !stopped(&run))
         (void)write_all(&run, out, status);
     enum status_code rc = status->code;
     if (run.output.staging[0] && (stopped(&run) || rc == STATUS_INTERRUPTED)) {
@@ -360,5 +358,4 @@ void run_outcome_free(struct run_outcome *outcome)
     text_free(&outcome->work);
     json_decref(outcome->outline);
     free(outcome->path);
-    free(outcome->times.models);
 }

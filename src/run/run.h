@@ -28,7 +28,7 @@ struct run_options {
 struct run_times {
     double read, prepare, spectrum, strips, tiles, convergence, uncertainty, direct, cost, tables, figures, gnuplot,
         report, total;
-    double *models; /* model_count of them; owned */
+    double models[64]; /* as many as there are MODEL_BITs */
 };
 
 struct run_outcome {
