@@ -30,13 +30,17 @@ static void add_quoted(struct text *out, const char *string)
     }
 }
 
-/** A path that a scene can name; NULL: it is no UTF-8, or has control characters. */
-static json_t *path_json(const char *path)
+/** Paths, those that a scene can name: of UTF-8 and without control characters. */
+static json_t *paths_json(const struct scene_files *files)
 {
-    for (const char *c = path; *c; c++)
-        if ((unsigned char)*c < 0x20 || *c == 0x7f)
-            return NULL;
-    return json_string(path);
+    json_t *paths = json_array();
+    for (size_t i = 0; i < files->count; i++) {
+        const char *c = files->path[i];
+        while ((unsigned char)*c >= 0x20 && *c != 0x7f)
+            c++;
+        json_array_append_new(paths, *c ? NULL : json_string(files->path[i]));
+    }
+    return paths;
 }
 
 /** Adds the units that the first scan of a surface lacks, or else the reason why it cannot be read. */
@@ -59,25 +63,21 @@ static void add_lacks(json_t *view, const char *path)
 static enum status_code add_surface(json_t *view, const struct scene *scene, const struct scene_surface *surface,
                                     struct status *status)
 {
-    json_t *files = json_array(), *name = json_shown(surface->name);
+    json_t *files = paths_json(&surface->files), *along = paths_json(&surface->along),
+           *name = json_shown(surface->name);
     bool several = surface->files.count > 1, folder = strchr(surface->files.path[0], '/');
     char *path = scene_file_path(scene, surface->files.path[0]);
-    bool good = json_string_length(name) <= limit_most(LIMIT_NAME_BYTES);
-    for (size_t i = 0; i < surface->files.count; i++)
-        good = json_array_append_new(files, path_json(surface->files.path[i])) == 0 && good;
-    json_t *along = json_array();
-    for (size_t i = 0; i < surface->along.count; i++)
-        good = json_array_append_new(along, path_json(surface->along.path[i])) == 0 && good;
-    json_t *one = json_pack("{s:o, s:O, s:b, s:b, s:o}", "name", name, "files", files, "folder", several && folder,
-                            "alike", several && !folder, "count", json_sprintf("%zu", surface->files.count));
-    if (json_array_size(files) == 1)
-        json_object_set(one, "file", json_array_get(files, 0));
-    json_object_set_new(one, "directions", json_boolean(surface->along.count > 0));
-    json_object_set_new(one, "along", along);
+    bool good = json_string_length(name) <= limit_most(LIMIT_NAME_BYTES) &&
+                json_array_size(files) == surface->files.count && json_array_size(along) == surface->along.count;
+    json_t *one =
+        json_pack("{s:o, s:o, s:b, s:b, s:o, s:b, s:o}", "name", name, "files", files, "folder", several && folder,
+                  "alike", several && !folder, "count", json_sprintf("%zu", surface->files.count), "directions",
+                  surface->along.count > 0, "along", along);
+    if (surface->files.count == 1)
+        json_object_set(one, "file", json_array_get(json_object_get(one, "files"), 0));
     if (good && path)
         add_lacks(one, path);
     json_array_append_new(json_object_get(view, good ? "surfaces" : "left_out"), one);
-    json_decref(files);
     free(path);
     return one && path ? status->code : status_memory(status);
 }

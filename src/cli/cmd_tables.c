@@ -49,8 +49,7 @@ static int print(json_t *rows, bool as_json)
             snprintf(number, sizeof number, "%.6g", json_number_value(value));
             if (before > 0)
                 text_add(&text, "  %-*s", KEY_WIDTH, key);
-            else if (strcmp(key, "plating") == 0 || strcmp(key, "filler") == 0 || strcmp(key, "gas") == 0 ||
-                     strcmp(key, "liquid") == 0)
+            else if (string_view_is_one_of(string_view_of(key), "plating filler gas liquid"))
                 text_add(&text, "%s ", key);
             text_add_wrapped(&text, json_is_string(value) ? json_string_value(value) : number, WIDTH, before);
             text_add(&text, "\n");

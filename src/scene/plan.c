@@ -67,12 +67,6 @@ static void decide(struct plan *plan, enum effect effect, const struct scene *sc
     plan_decide(plan, effect, runs, lack ? lack : words_say(plan->words, "%s\nkey %s", why, key ? key : ""));
 }
 
-/** The quantity asked for: the first target's, else the first that the models compute. */
-static enum quantity asked_quantity(const struct plan *plan, const struct scene *scene)
-{
-    return scene->target_count > 0 ? scene->targets[0].quantity : quantity_first(plan_quantities(plan));
-}
-
 void plan_make(struct plan *out, const struct scene *scene, struct words *words)
 {
     *out = (struct plan){
@@ -143,12 +137,13 @@ void plan_choose_model(struct scene *scene)
     struct plan plan;
     plan_make(&plan, scene, NULL);
     const bool hard = plan_runs(&plan, EFFECT_PLASTICITY);
+    const enum quantity asked =
+        scene->target_count > 0 ? scene->targets[0].quantity : quantity_first(plan_quantities(&plan));
     size_t chosen = model_count;
     bool met = false;
     for (size_t m = 0; m < model_count; m++) {
         const struct model_row *row = model_rows[m], *before = chosen < model_count ? model_rows[chosen] : NULL;
-        const double sd =
-            plan_runs_model(&plan, m) && row->plastic == hard ? model_sd(row, asked_quantity(&plan, scene), false) : 0;
+        const double sd = plan_runs_model(&plan, m) && row->plastic == hard ? model_sd(row, asked, false) : 0;
         const bool good = model_factor(sd) - 1 <= scene->accuracy;
         if (!(sd > 0) || (met && !good))
             continue;

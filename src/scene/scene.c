@@ -125,12 +125,6 @@ static void call_effects(struct scene *scene, struct scene_source *source)
     }
 }
 
-static void list_surfaces(struct scene *scene, struct scene_source *source)
-{
-    if (scene->surface_count == 0)
-        (void)scene_files_list(scene, source->status); /* the status has its failure */
-}
-
 /* Sets a body's mean free path, unless it has one. */
 static void give_mean_free_path(struct material *material, const struct scene *scene, struct scene_source *source)
 {
@@ -310,7 +304,7 @@ static void give_title(struct scene *scene, struct scene_source *source)
 }
 
 static void (*const steps[])(struct scene *scene, struct scene_source *source) = {
-    complete_keys,       override_values, scene_shape_size,     call_effects, list_surfaces,
+    complete_keys,       override_values, scene_shape_size,     call_effects, scene_files_list,
     complete_all_bodies, check_rules,     scene_shape_complete, check_loads,  scene_asked_complete,
     override_units,      check_surfaces,  check_template,       give_title,
 };

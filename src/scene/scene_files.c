@@ -259,9 +259,12 @@ static bool may_hold_scans(const struct scene *scene, const char *folder)
     return may;
 }
 
-enum status_code scene_files_list(struct scene *scene, struct status *status)
+void scene_files_list(struct scene *scene, struct scene_source *source)
 {
     struct scene_files files = {0}, folders = {0}, others = {0};
+    struct status *status = source->status;
+    if (scene->surface_count > 0)
+        return;
     if (scene_files_match(&files, scene, "*", S_IFREG, status) == STATUS_OK &&
         scene_files_match(&folders, scene, "*", S_IFDIR, status) == STATUS_OK) {
         scene->surfaces = calloc(files.count + folders.count + 1, sizeof *scene->surfaces);
@@ -278,7 +281,6 @@ enum status_code scene_files_list(struct scene *scene, struct status *status)
     scene_files_free(&files);
     scene_files_free(&folders);
     scene_files_free(&others);
-    return status->code;
 }
 
 static const char *ending_of(const char *file)

@@ -142,7 +142,7 @@ static bool read_height(struct scene_source *source, const char *file)
     struct scan scan = {0};
     struct status problem = {0};
     char *path = scene_file_path(source->scene, file);
-    double *at[2] = {NULL, NULL}, top = -INFINITY;
+    double *room = NULL, top = -INFINITY;
     bool good = path && scan_read(&scan, path, &(struct scan_options){0}, &problem) == STATUS_OK;
     if (!path)
         good = scene_source_memory(source);
@@ -155,19 +155,17 @@ static bool read_height(struct scene_source *source, const char *file)
                                                   : "names no units; write them into it");
     if (good) {
         const size_t count[2] = {scan.nx, scan.ny};
-        for (int side = 0; side < 2; side++) {
-            at[side] = malloc(count[side] * sizeof *at[side]);
-            for (size_t i = 0; at[side] && i < count[side]; i++)
-                at[side][i] = (double)i * (side ? scan.dy_m : scan.dx_m);
-        }
+        room = calloc(scan.nx + scan.ny, sizeof *room);
+        double *const at[2] = {room, room ? room + scan.nx : NULL};
+        for (size_t i = 0; room && i < scan.nx + scan.ny; i++)
+            room[i] = i < scan.nx ? (double)i * scan.dx_m : (double)(i - scan.nx) * scan.dy_m;
         for (size_t k = 0; k < scan.nx * scan.ny; k++)
             top = fmax(top, scan.z_m[k]);
         for (size_t k = 0; k < scan.nx * scan.ny; k++)
             scan.z_m[k] = top - scan.z_m[k];
-        good = at[0] && at[1] ? lay(source, file, at, count, scan.z_m) : scene_source_memory(source);
+        good = room ? lay(source, file, at, count, scan.z_m) : scene_source_memory(source);
     }
-    free(at[0]);
-    free(at[1]);
+    free(room);
     scan_free(&scan);
     free(path);
     return good;

@@ -172,7 +172,7 @@ MUST_CHECK enum status_code scene_files_add(struct scene_files *files, const cha
 
 /** Adds to a scene without surfaces one for each scan of its directory, as scene_read() says, and one for each
  * sub-directory of repeated scans; scene->passed_over names the rest. Errors: STATUS_IO, STATUS_MEMORY. */
-enum status_code scene_files_list(struct scene *scene, struct status *status);
+void scene_files_list(struct scene *scene, struct scene_source *source);
 
 /** The name of a surface read from `file`: its last component, without the ending unless `ending`; malloc'ed. */
 char *scene_files_name(const char *file, bool ending);
