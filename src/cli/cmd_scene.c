@@ -320,11 +320,10 @@ static int report(struct run_outcome *outcome, struct arguments *arguments, cons
             printf("%s\n%s\n", text_string(&outcome->table), outcome->path);
         if (outcome->refused + outcome->left_out > 0)
             exit_status = COMMAND_REFUSED;
-        if (arguments->check && outcome->missed_count + outcome->undecided_count > 0) {
-            fputs(text_string(&outcome->missed), stderr);
-            fputs(text_string(&outcome->undecided), stderr);
+        if (arguments->check && outcome->missed + outcome->undecided > 0) {
+            fputs(text_string(&outcome->limits), stderr);
             /* refused scans are named too, but the check is what was asked for */
-            exit_status = outcome->missed_count > 0 ? COMMAND_MISSED : COMMAND_UNDECIDED;
+            exit_status = outcome->missed > 0 ? COMMAND_MISSED : COMMAND_UNDECIDED;
         }
         if (arguments->verbose) {
             fprintf(stderr, "\n%s", text_string(&outcome->work));
@@ -430,8 +429,6 @@ int command_plan(int argc, char **argv)
     const struct results *results = &prepared.results;
     size_t left_out, refused = messages_add(&messages, &left_out, results, false);
     fputs(text_string(&messages), stderr);
-    if (rc == STATUS_OK && refused == scene.surface_count)
-        rc = status_fail(&status, STATUS_SCAN, "no usable surface in '%s'", scene.directory);
     const struct threads threads = {.jobs = arguments.run.jobs};
     double seconds = rc == STATUS_OK ? work_seconds(results, threads_number(&threads, SIZE_MAX)) : 0;
     if (rc == STATUS_OK && !arguments.json)

@@ -53,7 +53,7 @@ static void plan_direct(struct plan *plan, const struct results *results)
     const bool runs = plan_runs(plan, EFFECT_DIRECT);
     const struct direct_plan *first = NULL, *none = results->surfaces[results->baseline].summary.direct;
     size_t surfaces = 0;
-    if (results->usable_count == 0 || !none)
+    if (!none)
         return;
     for (size_t i = 0; i < results->surface_count; i++) {
         if (!results_solves(results, i))
@@ -207,8 +207,7 @@ static enum status_code middle_place(size_t *place, const struct surface_record 
 }
 
 /** The baseline, before any model runs: the scene's, the only one, or chosen by roughness among the first hundred. */
-static enum status_code find_baseline(size_t *baseline, struct pass *all, const struct threads *threads,
-                                      struct status *status)
+static enum status_code find_baseline(size_t *baseline, struct pass *all, struct status *status)
 {
     enum { MOST = 100 };
     const struct scene *scene = all->prepared->results.scene;
@@ -219,16 +218,16 @@ static enum status_code find_baseline(size_t *baseline, struct pass *all, const 
             *baseline = i;
     if (scene->baseline || count == 1)
         return describe_one(all, *baseline, NULL, status);
-    enum status_code rc = threads_run(threads, count, describe_one, all, status);
+    enum status_code rc = threads_run(&all->prepared->results.threads, count, describe_one, all, status);
     *baseline = results_second_smoothest(&all->prepared->results);
     return rc;
 }
 
 /** Chooses the operating load if the scene gives none. Surfaces read for this stay in memory. */
-static enum status_code choose_operating_load(struct pass *all, const struct threads *threads, struct status *status)
+static enum status_code choose_operating_load(struct pass *all, struct status *status)
 {
     size_t baseline, place = all->plan->operating_place - 1;
-    if (find_baseline(&baseline, all, threads, status) != STATUS_OK)
+    if (find_baseline(&baseline, all, status) != STATUS_OK)
         return status->code;
     const struct surface_record *record = &all->prepared->results.surfaces[baseline];
     const struct surface_task asked = task_of(all, baseline);
@@ -290,7 +289,7 @@ static enum status_code place_measured(struct all_surfaces *out, struct status *
     const struct scene *scene = results->scene;
     const struct scene_surface *baseline = &scene->surfaces[results->baseline];
     struct measured *measured = &out->measured[results->baseline];
-    if (results->usable_count > 0 && scene->measured.files.count > 0) {
+    if (scene->measured.files.count > 0) {
         if (baseline->measured.files.count > 0)
             return status_fail(status, STATUS_SCENE,
                                "the baseline, '%s', has 'measured' of its own and the scene's; remove either",
@@ -331,15 +330,14 @@ enum status_code all_surfaces_run(struct all_surfaces *out, const struct scene *
     if (read_measured(out, status) != STATUS_OK || make_loads(out, scene, status) != STATUS_OK ||
         read_counterface(out, scene, status) != STATUS_OK)
         return status->code;
-    const struct threads *threads = &results->threads;
     struct pass all = {.prepared = out,
                        .plan = &out->plan,
                        .bounded = !scene_bins_spectra(scene),
                        .describe_only = describe_only,
                        .stage = {options, "models of", NULL, 0, PTHREAD_MUTEX_INITIALIZER}};
     all_surfaces_tell(&all.stage, scene->surfaces[0].name, 0, (double)scene->surface_count);
-    if ((scene->operating.value == 0 && choose_operating_load(&all, threads, status) != STATUS_OK) ||
-        (all.bounded && threads_run(threads, scene->surface_count, bound_one, &all, status) != STATUS_OK))
+    if ((scene->operating.value == 0 && choose_operating_load(&all, status) != STATUS_OK) ||
+        (all.bounded && threads_run(&results->threads, scene->surface_count, bound_one, &all, status) != STATUS_OK))
         return status->code;
     struct plan ran = out->plan;
     ran.words = NULL; /* words are for one thread */
@@ -351,7 +349,7 @@ enum status_code all_surfaces_run(struct all_surfaces *out, const struct scene *
     all.plan = &ran; /* each surface runs those of its models that can answer */
     if (curves && curve_tables_open(&all.tables, results, curves, status) != STATUS_OK)
         return curve_tables_close(all.tables, status);
-    enum status_code rc = threads_run(threads, scene->surface_count, run_one, &all, status);
+    enum status_code rc = threads_run(&results->threads, scene->surface_count, run_one, &all, status);
     if (curve_tables_close(all.tables, status) != STATUS_OK)
         rc = status->code;
     if (all.bounded)
@@ -360,11 +358,13 @@ enum status_code all_surfaces_run(struct all_surfaces *out, const struct scene *
         effects_decide(&out->plan, scene, results->surfaces, results->surface_count);
     if (rc == STATUS_OK)
         rc = results_rank(results, status);
-    if (rc == STATUS_OK && results->usable_count > 0 && plan_running_models(&out->plan) == 0)
+    if (rc == STATUS_OK && results->usable_count == 0)
+        rc = status_fail(status, STATUS_SCAN, "no usable surface in '%s'", scene->directory);
+    if (rc == STATUS_OK && plan_running_models(&out->plan) == 0)
         rc = status_fail(status, STATUS_MODEL,
                          "no model is left for these scans and this material; name others in 'models', or leave the "
                          "line out");
-    if (rc != STATUS_OK || (curves && !describe_only && run_shown(&all, status) != STATUS_OK))
+    if (rc != STATUS_OK || (curves && run_shown(&all, status) != STATUS_OK))
         return status->code;
     plan_direct(&out->plan, results);
     for (size_t i = 0; i < results->surface_count && out->plan.beside; i++) {

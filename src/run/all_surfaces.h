@@ -34,8 +34,8 @@ void all_surfaces_tell(struct all_surfaces_stage *stage, const char *name, doubl
 
 /** Reads every surface of the scene, one per thread, and runs its models unless `describe_only`. Surfaces that cannot
  * be read are marked. If `curves` is not NULL, curves go to the files of curve_tables_open() in that directory, and
- * only those of the surfaces shown in the report stay in memory. Errors: STATUS_SCAN if the scene has no surface;
- * STATUS_IO, STATUS_MEMORY, STATUS_INTERRUPTED. */
+ * only those of the surfaces shown in the report stay in memory. Errors: STATUS_SCAN if the scene has no usable
+ * surface; STATUS_IO, STATUS_MEMORY, STATUS_INTERRUPTED. */
 MUST_CHECK enum status_code all_surfaces_run(struct all_surfaces *out, const struct scene *scene,
                                              const struct run_options *options, bool describe_only, const char *curves,
                                              struct status *status);

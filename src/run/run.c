@@ -202,8 +202,6 @@ static enum status_code evaluate(struct run *run, struct run_outcome *out, struc
     struct results *results = run->results = &run->prepared.results;
     if (all_surfaces_run(&run->prepared, run->scene, run->options, false, curves, status) != STATUS_OK)
         return status->code;
-    if (results->usable_count == 0)
-        return status_fail(status, STATUS_SCAN, "no usable surface in '%s'", run->scene->directory);
     if (run_measured(run, status) != STATUS_OK)
         return status->code;
     double last = clock_seconds();
@@ -279,8 +277,8 @@ static enum status_code write_all(struct run *run, struct run_outcome *out, stru
     if (rc != STATUS_OK ||
         report_terminal(&out->table, "terminal", run->view, options->templates, false, status) != STATUS_OK)
         return status->code;
-    out->missed_count = view_limits_of(&out->missed, run->results, true);
-    out->undecided_count = view_limits_of(&out->undecided, run->results, false);
+    out->missed = view_limits_of(&out->limits, run->results, true);
+    out->undecided = view_limits_of(&out->limits, run->results, false);
     out->times.report = lap(&last);
     return stopped(run) ? status->code : status_lost ? status_memory(status) : exchange_commit(&run->output, status);
 }
@@ -352,8 +350,7 @@ void run_outcome_free(struct run_outcome *outcome)
 {
     text_free(&outcome->messages);
     text_free(&outcome->table);
-    text_free(&outcome->missed);
-    text_free(&outcome->undecided);
+    text_free(&outcome->limits);
     text_free(&outcome->charts);
     text_free(&outcome->work);
     json_decref(outcome->outline);

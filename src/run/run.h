@@ -32,19 +32,17 @@ struct run_times {
 };
 
 struct run_outcome {
-    size_t refused;        /* surfaces of the scene */
-    size_t left_out;       /* scans refused of surfaces that have others, and infinite numbers */
-    struct text messages;  /* messages_add(): one line a refused surface and a warning */
-    struct text table;     /* the first page's table and sentence for a terminal */
-    struct text missed;    /* one line for each surface and limit that it misses */
-    size_t missed_count;   /* of those */
-    struct text undecided; /* the same for limits that are undecided, or have no value */
-    size_t undecided_count;
-    struct text charts;     /* when terminal_size was given */
-    char *path;             /* of report.html */
-    struct text work;       /* work done, by effect */
-    struct json_t *outline; /* json_outline(), when asked for; else NULL */
-    uint64_t evaluations;   /* done */
+    size_t refused;           /* surfaces of the scene */
+    size_t left_out;          /* scans refused of surfaces that have others, and infinite numbers */
+    struct text messages;     /* messages_add(): one line a refused surface and a warning */
+    struct text table;        /* the first page's table and sentence for a terminal */
+    struct text limits;       /* a line for each surface and limit: missed ones, then undecided or without a value */
+    size_t missed, undecided; /* of those */
+    struct text charts;       /* when terminal_size was given */
+    char *path;               /* of report.html */
+    struct text work;         /* work done, by effect */
+    struct json_t *outline;   /* json_outline(), when asked for; else NULL */
+    uint64_t evaluations;     /* done */
     struct run_times times;
 };
 

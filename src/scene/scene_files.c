@@ -387,8 +387,7 @@ enum status_code scene_join_repeats(struct scene *scene, struct status *status)
         if (end == i + 2 && (two_directions(&all[i], &all[i + 1]) || two_directions(&all[i + 1], &all[i])))
             end--;
         for (size_t k = i + 1; k < end; k++) {
-            enum status_code rc = scene_files_add(&surface->files, all[k].files.path[0], status);
-            (void)rc; /* the status tells */
+            (void)!scene_files_add(&surface->files, all[k].files.path[0], status); /* the status tells */
             scene_surfaces_free(&all[k]);
         }
         if (end == i + 1)
