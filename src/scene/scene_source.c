@@ -360,7 +360,7 @@ bool scene_source_quantity(struct scene_source *source, const struct scene_key *
 bool scene_source_pair(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value, void *field)
 {
     double *pair = field;
-    if (value->type != YAML_SEQUENCE_NODE || scene_source_item_count(value) != 2)
+    if (scene_source_item_count(value) != 2)
         return scene_source_wrong_type(source, value, key->name, "two lengths, as [20 mm, 10 mm]");
     return scene_source_quantity(source, key, scene_source_item(source, value, 0), &pair[0]) &&
            scene_source_quantity(source, key, scene_source_item(source, value, 1), &pair[1]);

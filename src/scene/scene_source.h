@@ -74,9 +74,8 @@ struct scene_mapping {
 /** Fails where a rule is broken. Key k stands in lines[k] (0: not given), the mapping in `line`, values in `into`. */
 bool scene_source_rules(struct scene_source *source, const struct scene_mapping *mapping, const size_t *lines,
                         size_t line, const void *into);
-/** Reads a mapping into `into`, checks its rules and calls `then`. A key that may be `none` and is counts as not given.
- * Of
- * scene_keys_whole it only fills source->lines. */
+/** Reads a mapping into `into`, checks its rules and calls `then`; of scene_keys_whole it only fills source->lines. A
+ * key that may be `none` and is counts as not given. */
 MUST_CHECK bool scene_source_mapping(struct scene_source *source, const yaml_node_t *node,
                                      const struct scene_mapping *mapping, void *into);
 /** Reads an option of the command line as the value of `key`. Error: STATUS_USAGE. */
@@ -87,7 +86,6 @@ bool scene_source_option(struct scene_source *source, const struct scene_key *ke
 size_t scene_source_item_count(const yaml_node_t *node);
 const yaml_node_t *scene_source_item(struct scene_source *source, const yaml_node_t *node, size_t i);
 size_t scene_source_line(const yaml_node_t *node);
-/** Is it the plain or quoted scalar `word`? */
 bool scene_source_is(const yaml_node_t *node, const char *word);
 
 /** Fails with "path:line: " before the message, or with the option being read. */
@@ -102,18 +100,14 @@ bool scene_source_unknown(struct scene_source *source, const yaml_node_t *node, 
                           const char *what, const char *const *names, size_t count);
 /** The scalar's characters; nothing of a list or a mapping. */
 struct string_view scene_source_scalar(const yaml_node_t *node);
-/** Fails: out of memory. */
 bool scene_source_memory(struct scene_source *source);
 
 /** For scene_key.read; the field is a double in SI, two of them, a size_t, enum, malloc'ed char *, or char array. */
 scene_reader scene_source_quantity, scene_source_pair, scene_source_whole, scene_source_choice, scene_source_text,
     scene_source_short_text;
-/** The mapping key->within. */
-scene_reader scene_source_within;
-/** The spelling of a unit of key->quantities, into a char[UNIT_LENGTH]. */
-scene_reader scene_source_unit;
-/** A quantity with its kind and unit, into a struct scene_quantity. */
-scene_reader scene_source_quantity_of;
+/** The mapping key->within; the spelling of a unit of key->quantities, into a char[UNIT_LENGTH]; a quantity with its
+ * kind and unit, into a struct scene_quantity. */
+scene_reader scene_source_within, scene_source_unit, scene_source_quantity_of;
 
 /* Parts of a key's row; `place` is an offsetof(). */
 #define SCENE_COUNT(array) (sizeof(array) / sizeof *(array))
@@ -134,8 +128,6 @@ extern const char *const scene_source_yes[2];
 
 /** `effects` with those they build on. */
 unsigned scene_keys_with_needed(unsigned effects);
-
-/* The bodies of a scene: its surfaces, what they are pressed against, and their materials. */
 
 /** The list `surfaces`, into a struct scene. */
 scene_reader scene_surfaces_read;
@@ -177,7 +169,6 @@ void scene_files_list(struct scene *scene, struct scene_source *source);
 /** The name of a surface read from `file`: its last component, without the ending unless `ending`; malloc'ed. */
 char *scene_files_name(const char *file, bool ending);
 void scene_files_free(struct scene_files *files);
-/** Frees what one surface holds. */
 void scene_surfaces_free(struct scene_surface *surface);
 
 /** How the parts are shaped, into a struct scene. */

@@ -156,7 +156,7 @@ static bool read_columns(struct scene_source *source, const struct scene_key *ke
     const struct scene_key column = {key->name, NULL, SCENE_WHOLE(0, 1, (double)limit_most(LIMIT_COLUMNS))};
     if (value->type == YAML_SCALAR_NODE)
         return scene_source_whole(source, &column, value, &surface->z_column);
-    if (value->type != YAML_SEQUENCE_NODE || scene_source_item_count(value) != 2)
+    if (scene_source_item_count(value) != 2)
         return scene_source_fail_at(
             source, value, "'%s' is no column; give one, as in `column: 3`, or x and z, as in `column: [1, 3]`",
             key->name);
