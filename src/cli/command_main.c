@@ -61,7 +61,7 @@ static int run(int argc, char **argv)
     struct status status = {0};
     for (int i = 0; i < COMMANDS; i++)
         names[i] = command_rows[i].name;
-    size_t which = scene_words_find(argv[0], strlen(argv[0]), names, COMMANDS);
+    size_t which = scene_words_find(string_view_of(argv[0]), names, COMMANDS);
     if (which == COMMANDS) {
         (void)status_fail(&status, STATUS_USAGE, "unknown command '%s'; %s", scene_words_show(argv[0]).text,
                           scene_words_hint(argv[0], names, COMMANDS, COMMANDS).text);

@@ -50,11 +50,11 @@ static void programs_free(struct programs *programs)
 }
 
 /** Takes the unit off a word that names a program: is it mm? */
-static bool take_mm(const char *word, size_t *length)
+static bool take_mm(struct string_view *word)
 {
     const size_t ending = strlen(view_export_mm);
-    bool mm = *length > ending && strncmp(word + *length - ending, view_export_mm, ending) == 0;
-    *length -= mm ? ending : 0;
+    bool mm = string_view_length(*word) > ending && strncmp(word->end - ending, view_export_mm, ending) == 0;
+    word->end -= mm ? ending : 0;
     return mm;
 }
 
@@ -62,14 +62,14 @@ enum status_code export_check(const struct scene *scene, const char *templates, 
 {
     struct programs programs;
     struct text problem = {0};
-    size_t length, words = 0;
+    struct string_view word;
+    size_t words = 0;
     if (!scene->exports || programs_read(&programs, templates, status) != STATUS_OK)
         return status->code;
-    for (const char *rest = scene->exports, *word; (word = scene_words_next(&rest, &length)); words++) {
-        (void)take_mm(word, &length);
-        if (problem.length == 0 && scene_words_find(word, length, programs.name, programs.count) == programs.count) {
-            text_add(&problem, "unknown program '%s'; there are",
-                     scene_words_show_view((struct string_view){word, word + length}).text);
+    for (const char *rest = scene->exports; scene_words_next(&word, &rest); words++) {
+        (void)take_mm(&word);
+        if (problem.length == 0 && scene_words_find(word, programs.name, programs.count) == programs.count) {
+            text_add(&problem, "unknown program '%s'; there are", scene_words_show_view(word).text);
             for (size_t k = 0; k < programs.count; k++)
                 text_add(&problem, "%s %s", k > 0 ? "," : "", programs.name[k]);
             text_add(&problem, "; %s behind one gives N, mm, s", view_export_mm);
@@ -126,14 +126,15 @@ enum status_code export_write(json_t *view, const struct scene *scene, const cha
                               struct status *status)
 {
     struct programs programs;
-    size_t i, length;
+    struct string_view word;
+    size_t i;
     const json_t *item, *exports = json_object_get(view, "exports");
     if (!scene->exports || programs_read(&programs, templates, status) != STATUS_OK)
         return status->code;
     bool asked[2][SCENE_EXPORTS_MOST + 1] = {{false}}; /* in SI, in mm */
-    for (const char *rest = scene->exports, *word; (word = scene_words_next(&rest, &length));) {
-        bool mm = take_mm(word, &length);
-        asked[mm][scene_words_find(word, length, programs.name, programs.count)] = true;
+    for (const char *rest = scene->exports; scene_words_next(&word, &rest);) {
+        bool mm = take_mm(&word);
+        asked[mm][scene_words_find(word, programs.name, programs.count)] = true;
     }
     json_array_foreach(exports, i, item)
     {

@@ -397,7 +397,7 @@ static void add_input(json_t *view, struct compared *all, json_t *const *of, con
     char *dumped[REPORTS_COMPARED] = {NULL};
     const char *below;
     bool objects = true, differ = false;
-    if (scene_words_find(key, strlen(key), made, MADE) < MADE || all->items > limit_most(LIMIT_COMPARED))
+    if (scene_words_find(string_view_of(key), made, MADE) < MADE || all->items > limit_most(LIMIT_COMPARED))
         return;
     text_add(&whole, "%s%s%.*s", path, path[0] ? "." : "", (int)text_fit(key, PATH_MOST), key);
     for (size_t k = 0; k < all->count; k++) {

@@ -38,12 +38,11 @@ static bool read_set(struct scene_source *source, const struct scene_key *key, c
         const yaml_node_t *item = scene_source_item(source, value, i);
         if (item->type != YAML_SCALAR_NODE)
             return scene_source_wrong_type(source, item, key->name, "a list of names");
-        const char *rest = (const char *)item->data.scalar.value, *word;
-        for (size_t length; (word = scene_words_next(&rest, &length));) {
-            size_t n = scene_words_find(word, length, set->names, set->count);
+        const char *rest = (const char *)item->data.scalar.value;
+        for (struct string_view word; scene_words_next(&word, &rest);) {
+            size_t n = scene_words_find(word, set->names, set->count);
             if (n == set->count)
-                return scene_source_unknown(source, item, (struct string_view){word, rest}, set->what, set->names,
-                                            set->count);
+                return scene_source_unknown(source, item, word, set->what, set->names, set->count);
             set->given[n] = true;
         }
     }
@@ -52,7 +51,7 @@ static bool read_set(struct scene_source *source, const struct scene_key *key, c
 
 static void add_name(struct set *set, const char *name)
 {
-    if (scene_words_find(name, strlen(name), set->names, set->count) == set->count)
+    if (scene_words_find(string_view_of(name), set->names, set->count) == set->count)
         set->names[set->count++] = name;
 }
 

@@ -102,14 +102,6 @@ static bool parse(struct scene_source *source, const char *bytes, size_t length,
     return good;
 }
 
-/* Index of the word that the node is; `count`: none. */
-static size_t find_word(const yaml_node_t *node, const char *const *words, size_t count)
-{
-    return node->type != YAML_SCALAR_NODE
-               ? count
-               : scene_words_find((const char *)node->data.scalar.value, node->data.scalar.length, words, count);
-}
-
 struct string_view scene_source_scalar(const yaml_node_t *node)
 {
     const char *text = (const char *)node->data.scalar.value;
@@ -121,7 +113,7 @@ struct string_view scene_source_scalar(const yaml_node_t *node)
 static bool is_null(const yaml_node_t *node)
 {
     static const char *const spellings[] = {"", "~", "null", "Null", "NULL"};
-    return find_word(node, spellings, SCENE_COUNT(spellings)) < SCENE_COUNT(spellings) &&
+    return scene_words_find(scene_source_scalar(node), spellings, SCENE_COUNT(spellings)) < SCENE_COUNT(spellings) &&
            node->data.scalar.style == YAML_PLAIN_SCALAR_STYLE;
 }
 
@@ -157,7 +149,7 @@ size_t scene_source_line(const yaml_node_t *node)
 
 bool scene_source_is(const yaml_node_t *node, const char *word)
 {
-    return find_word(node, &word, 1) == 0;
+    return scene_words_find(scene_source_scalar(node), &word, 1) == 0;
 }
 
 bool scene_source_wrong_type(struct scene_source *source, const yaml_node_t *node, const char *what,
@@ -199,7 +191,7 @@ static bool read_pair(struct scene_source *source, const yaml_node_pair_t *pair,
         names[i] = keys[i].name;
         names[count + i] = keys[i].alias ? keys[i].alias : keys[i].name;
     }
-    const size_t n = find_word(name, names, all), k = n % count;
+    const size_t n = scene_words_find(scene_source_scalar(name), names, all), k = n % count;
     if (name->type != YAML_SCALAR_NODE)
         return scene_source_fail(source, line, "a key of '%s' is no text; write 'key: value'", mapping->name);
     if (n == all) { /* a near alias is proposed, but aliases are not listed */
@@ -382,7 +374,7 @@ bool scene_source_whole(struct scene_source *source, const struct scene_key *key
 bool scene_source_choice(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
                          void *field)
 {
-    size_t choice = find_word(value, key->choices, key->choice_count);
+    size_t choice = scene_words_find(scene_source_scalar(value), key->choices, key->choice_count);
     if (value->type != YAML_SCALAR_NODE)
         return scene_source_wrong_type(source, value, key->name, "one word");
     if (choice == key->choice_count)

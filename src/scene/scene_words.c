@@ -72,19 +72,20 @@ struct scene_words_hint scene_words_hint(const char *word, const char *const *na
     return hint;
 }
 
-const char *scene_words_next(const char **rest, size_t *length)
+bool scene_words_next(struct string_view *word, const char **rest)
 {
     static const char separators[] = ", \t\r\n";
-    const char *word = *rest + strspn(*rest, separators);
-    *length = strcspn(word, separators);
-    *rest = word + *length;
-    return *length ? word : NULL;
+    word->start = *rest + strspn(*rest, separators);
+    word->end = word->start + strcspn(word->start, separators);
+    *rest = word->end;
+    return word->end > word->start;
 }
 
-size_t scene_words_find(const char *word, size_t length, const char *const *names, size_t count)
+size_t scene_words_find(struct string_view word, const char *const *names, size_t count)
 {
+    const size_t length = string_view_length(word);
     size_t i = 0;
-    while (i < count && !(strlen(names[i]) == length && memcmp(names[i], word, length) == 0))
+    while (i < count && !(word.start && strlen(names[i]) == length && memcmp(names[i], word.start, length) == 0))
         i++;
     return i;
 }

@@ -19,11 +19,11 @@ struct scene_words_hint {
 };
 struct scene_words_hint scene_words_hint(const char *word, const char *const *names, size_t count, size_t all);
 
-/** The next word of a list separated by commas or blanks, advancing `*rest`: its start, or NULL at the end. */
-const char *scene_words_next(const char **rest, size_t *length);
+/** The next word of a list separated by commas or blanks, advancing `*rest`; false at the end. */
+bool scene_words_next(struct string_view *word, const char **rest);
 
-/** Index of the name that is the `length` bytes at `word`, or `count` when none is. */
-size_t scene_words_find(const char *word, size_t length, const char *const *names, size_t count);
+/** Index of the name that is `word`, or `count` when none is. No view ({0}) is no name. */
+size_t scene_words_find(struct string_view word, const char *const *names, size_t count);
 
 /* A quantity as people write one: a number in SI, or a number with its unit. */
 
