@@ -255,6 +255,17 @@ static enum status_code run_shown(struct pass *all, struct status *status)
     return STATUS_OK;
 }
 
+/** Measurements of the baseline are given by the scene or by the surface, not both. */
+static enum status_code check_both(const struct scene *scene, const struct scene_surface *surface,
+                                   struct status *status)
+{
+    if (scene->measured.files.count == 0 || surface->measured.files.count == 0)
+        return STATUS_OK;
+    return status_fail(status, STATUS_SCENE,
+                       "the baseline, '%s', has 'measured' of its own and the scene's; remove either",
+                       scene_words_show(surface->name).text);
+}
+
 /** Reads the measurements of every surface, and behind them the scene's, before any model runs. */
 static enum status_code read_measured(struct all_surfaces *out, struct status *status)
 {
@@ -274,6 +285,10 @@ static enum status_code read_measured(struct all_surfaces *out, struct status *s
             continue;
         if (measured_read(&out->measured[i], scene, &out->plan, &pair, status) != STATUS_OK)
             return status->code;
+        if (own &&
+            (scene->surface_count == 1 || (scene->baseline && strcmp(scene->baseline, scene->surfaces[i].name) == 0)) &&
+            check_both(scene, &scene->surfaces[i], status) != STATUS_OK)
+            return status->code;
         first = first ? first : given;
         if (first->quantity != given->quantity)
             return status_fail(status, STATUS_SCENE, "both ECR and TCR are measured; take out one of them");
@@ -287,13 +302,10 @@ static enum status_code place_measured(struct all_surfaces *out, struct status *
 {
     struct results *results = &out->results;
     const struct scene *scene = results->scene;
-    const struct scene_surface *baseline = &scene->surfaces[results->baseline];
     struct measured *measured = &out->measured[results->baseline];
     if (scene->measured.files.count > 0) {
-        if (baseline->measured.files.count > 0)
-            return status_fail(status, STATUS_SCENE,
-                               "the baseline, '%s', has 'measured' of its own and the scene's; remove either",
-                               scene_words_show(baseline->name).text);
+        if (check_both(scene, &scene->surfaces[results->baseline], status) != STATUS_OK)
+            return status->code;
         measured->given = &scene->measured;
         if (measured_read(measured, scene, &out->plan, results_pair(results, results->baseline), status) != STATUS_OK)
             return status->code;
