@@ -93,8 +93,10 @@ static enum status_code fit_law(struct inspection *out, struct status *status)
     if (code == STATUS_OK && !map)
         code = spectrum_compute(&own, profile->height_m, profile->points, profile->spacing_m,
                                 spectrum_window_for(SPECTRUM_WINDOW_AUTO, profile->periodic), status);
-    if (code == STATUS_OK && (code = power_law_scans_fit(&band, scans, &def, status)) == STATUS_OK)
+    if (code == STATUS_OK) {
+        power_law_scans_fit(&band, scans, &def);
         out->power_law = power_law_of_band(&band, map ? &out->areal.spectrum : &own);
+    }
     spectrum_free(&own);
     power_law_scans_free(&single);
     return code;

@@ -144,16 +144,14 @@ static enum status_code fit_alone(struct surface_record *record, const struct po
     if (!gamma)
         return status_memory(status);
     struct ensemble_value *psd_m3 = gamma + count;
-    enum status_code rc = STATUS_OK;
-    for (size_t i = 0; i < count && rc == STATUS_OK; i++) {
+    for (size_t i = 0; i < count; i++) {
         struct power_law_band alone;
-        rc = power_law_scans_fit_alone(&alone, scans, i, &def, record->band, status);
+        power_law_scans_fit_alone(&alone, scans, i, &def, record->band);
         struct power_law law = power_law_of_band(&alone, &record->typical);
         gamma[i] = (struct ensemble_value){law.gamma, scans->scan[i].file};
         psd_m3[i] = (struct ensemble_value){law.psd_m3, scans->scan[i].file};
     }
-    if (rc == STATUS_OK)
-        rc = ensemble_estimate(&repeats->gamma, &record->ensemble, gamma, count, false, status);
+    enum status_code rc = ensemble_estimate(&repeats->gamma, &record->ensemble, gamma, count, false, status);
     if (rc == STATUS_OK)
         rc = ensemble_estimate(&repeats->psd_m3, &record->ensemble, psd_m3, count, true, status);
     repeats->gamma.model_sd = record->band->fit.gamma_bias_s;
@@ -182,8 +180,7 @@ static enum status_code describe(struct surface_record *record, struct power_law
     } else {
         if (!(record->band = malloc(sizeof *record->band)))
             return status_memory(status);
-        if (power_law_scans_fit(record->band, scans, &def, status) != STATUS_OK)
-            return status->code;
+        power_law_scans_fit(record->band, scans, &def);
         *law = power_law_of_band(record->band, &record->typical);
         lines = power_law_band_lines(line_m, record->band);
         record->tapered = scans->mean;

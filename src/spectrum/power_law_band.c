@@ -169,55 +169,33 @@ static double slope_of(const struct selection *selection, size_t first, size_t l
     return line_through(selection, first, last, one_law_square).slope;
 }
 
-/** Tables of dynamic programming: cost of one piece from bin i to j; least cost of k + 1 pieces up to bin j, and where
- * the last of them begins. */
-struct programme {
-    double piece[LOG_BIN_MOST][LOG_BIN_MOST];
-    double least[POWER_LAW_BAND_PIECES][LOG_BIN_MOST];
-    size_t begin[POWER_LAW_BAND_PIECES][LOG_BIN_MOST];
-};
-
-static void programme_fill(struct programme *programme, const struct selection *selection)
+/** Finds the pieces by dynamic programming: least cost of k pieces of bins 0 ... end - 1, and where the last begins. */
+static struct pieces divide(const struct selection *selection)
 {
-    size_t bins = selection->count;
-    for (size_t i = 0; i < bins; i++)
-        for (size_t j = i; j < bins; j++)
-            programme->piece[i][j] =
-                j - i + 1 < PIECE_BINS ? INFINITY : line_through(selection, i, j, one_law_square).residual;
-    memcpy(programme->least[0], programme->piece[0], sizeof programme->least[0]);
-    for (size_t k = 1; k < POWER_LAW_BAND_PIECES; k++)
-        for (size_t j = 0; j < bins; j++) {
-            programme->least[k][j] = INFINITY;
-            for (size_t i = 1; i <= j; i++) {
-                double cost = programme->least[k - 1][i - 1] + programme->piece[i][j];
-                if (cost < programme->least[k][j]) {
-                    programme->least[k][j] = cost;
-                    programme->begin[k][j] = i;
+    enum { PIECES = POWER_LAW_BAND_PIECES };
+    double least[PIECES + 1][LOG_BIN_MOST + 1], penalty = piece_penalty * log((double)selection->count);
+    size_t begin[PIECES + 1][LOG_BIN_MOST + 1] = {{0}}, best = 1;
+    for (size_t k = 0; k <= PIECES; k++)
+        for (size_t end = 0; end <= selection->count; end++)
+            least[k][end] = k == 0 && end == 0 ? 0 : INFINITY;
+    for (size_t end = PIECE_BINS; end <= selection->count; end++)
+        for (size_t first = 0; first + PIECE_BINS <= end; first++) {
+            double cost = line_through(selection, first, end - 1, one_law_square).residual;
+            for (size_t k = 1; k <= PIECES; k++)
+                if (least[k - 1][first] + cost < least[k][end]) {
+                    least[k][end] = least[k - 1][first] + cost;
+                    begin[k][end] = first;
                 }
-            }
         }
-}
-
-static enum status_code divide(struct pieces *pieces, const struct selection *selection, struct status *status)
-{
-    struct programme *programme = calloc(1, sizeof *programme);
-    if (!programme)
-        return status_memory(status);
-    programme_fill(programme, selection);
-    size_t last = selection->count - 1, best = 0;
-    double penalty = piece_penalty * log((double)selection->count);
-    for (size_t k = 1; k < POWER_LAW_BAND_PIECES; k++)
-        if (programme->least[k][last] + (double)k * penalty < programme->least[best][last] + (double)best * penalty)
+    for (size_t k = 2; k <= PIECES; k++)
+        if (least[k][selection->count] + (double)(k - 1) * penalty <
+            least[best][selection->count] + (double)(best - 1) * penalty)
             best = k;
-    pieces->count = best + 1;
-    pieces->first[best + 1] = selection->count;
-    for (size_t k = best, end = last; k > 0; k--) {
-        pieces->first[k] = programme->begin[k][end];
-        end = pieces->first[k] - 1;
-    }
-    pieces->first[0] = 0;
-    free(programme);
-    return STATUS_OK;
+    struct pieces pieces = {.count = best};
+    pieces.first[best] = selection->count;
+    for (size_t k = best; k > 0; k--)
+        pieces.first[k - 1] = begin[k][pieces.first[k]];
+    return pieces;
 }
 
 /** Does bin j stand above the middle of its neighbours? So does a line, and so does the last bin before a cut-off. */
@@ -310,7 +288,7 @@ static bool is_line(const struct power_law_band *band, const struct selection *r
 }
 
 /** Marks the lines: runs of bins that stand out and hold one that also stands above the straight pieces of the rest. */
-static enum status_code find_lines(struct power_law_band *band, double scans, struct status *status)
+static void find_lines(struct power_law_band *band, double scans)
 {
     bool out[LOG_BIN_MOST] = {false}, line[LOG_BIN_MOST] = {false};
     double z = gsl_cdf_ugaussian_Qinv(line_level / fmax(1, (double)band->bins));
@@ -321,10 +299,8 @@ static enum status_code find_lines(struct power_law_band *band, double scans, st
                             band->bin[j].y > fmin(band->bin[j - 1].y, band->bin[j + 1].y) - line_decades);
     mark_lines(band, out, out);
     struct selection rest = bins_outside(band);
-    struct pieces pieces;
     if (rest.count < band->bins && rest.count >= (size_t)2 * PIECE_BINS) {
-        if (divide(&pieces, &rest, status) != STATUS_OK)
-            return status->code;
+        const struct pieces pieces = divide(&rest);
         for (size_t j = 0, k = 0; j < band->bins; j++) {
             while (k + 1 < pieces.count && rest.index[pieces.first[k + 1]] <= j)
                 k++;
@@ -332,27 +308,23 @@ static enum status_code find_lines(struct power_law_band *band, double scans, st
         }
     }
     mark_lines(band, out, line);
-    return STATUS_OK;
 }
 
 /** Fills the bins and says which of them may take part. */
-static enum status_code gather(struct power_law_band *band, struct selection *selection,
-                               const struct power_law_band_spectrum *spectrum, const size_t split[2],
-                               struct status *status)
+static struct selection gather(struct power_law_band *band, const struct power_law_band_spectrum *spectrum,
+                               const size_t split[2])
 {
     assert(spectrum->scans >= 1 && spectrum->length_m > 0);
     *band = (struct power_law_band){
         .fit = {NAN, NAN, NAN, NAN, 0, 0, NAN, NAN, {NAN, NAN}, 0, 0}, .psd_m3 = NAN, .slope_share = NAN};
     band->bins =
         log_bin_fill(band->bin, spectrum->amplitude_m, spectrum->count, spectrum->length_m, spectrum->scans, split);
-    if (find_lines(band, spectrum->scans, status) != STATUS_OK)
-        return status->code;
+    find_lines(band, spectrum->scans);
     for (size_t j = 0; j < band->bins; j++)
         if (spectrum->shortest_m > 0 && band->bin[j].x < log10(spectrum->shortest_m) &&
             band->use[j] == POWER_LAW_BAND_OUTSIDE)
             band->use[j] = POWER_LAW_BAND_SHORT;
-    *selection = bins_outside(band);
-    return STATUS_OK;
+    return bins_outside(band);
 }
 
 /** sum (2 pi f)² Delta²/2 in the band over that of all harmonics. */
@@ -453,15 +425,13 @@ static void tell_knees(struct power_law_band *band, const struct selection *sele
 
 /** Takes the widest candidate that is one law; with selection->scatter above 1, as a scattered one, and only if it
  * holds the middle of the narrow law that was found. */
-static enum status_code look(struct power_law_band *out, const struct selection *selection,
-                             const struct power_law_band_spectrum *spectrum, struct status *status)
+static void look(struct power_law_band *out, const struct selection *selection,
+                 const struct power_law_band_spectrum *spectrum)
 {
-    struct pieces pieces;
+    const struct pieces pieces = divide(selection);
     const bool scattered = selection->scatter > 1;
     const double middle = log10(out->fit.wavelength_m);
     double widest = 0;
-    if (divide(&pieces, selection, status) != STATUS_OK)
-        return status->code;
     if (!scattered)
         tell_knees(out, selection, &pieces);
     for (size_t k = 0; k < pieces.count; k++) {
@@ -489,27 +459,22 @@ static enum status_code look(struct power_law_band *out, const struct selection 
                 out->fit.band_m[1] = spectrum->length_m;
         }
     }
-    return STATUS_OK;
 }
 
-enum status_code power_law_band_find(struct power_law_band *out, const struct power_law_band_spectrum *spectrum,
-                                     struct status *status)
+void power_law_band_find(struct power_law_band *out, const struct power_law_band_spectrum *spectrum)
 {
-    struct selection selection = {.all = NULL};
-    if (gather(out, &selection, spectrum, NULL, status) != STATUS_OK)
-        return status->code;
+    struct selection selection = gather(out, spectrum, NULL);
     if (selection.count < (size_t)2 * PIECE_BINS)
-        return STATUS_OK;
-    if (look(out, &selection, spectrum, status) != STATUS_OK)
-        return status->code;
+        return;
+    look(out, &selection, spectrum);
     if (out->law == POWER_LAW_BAND_LAW || out->fit.gamma_s <= most_gamma_s)
-        return STATUS_OK;
+        return;
     selection.scatter = scattered_variance;
-    return look(out, &selection, spectrum, status);
+    look(out, &selection, spectrum);
 }
 
-enum status_code power_law_band_fit_in(struct power_law_band *out, const struct power_law_band_spectrum *spectrum,
-                                       const double band_m[2], struct status *status)
+void power_law_band_fit_in(struct power_law_band *out, const struct power_law_band_spectrum *spectrum,
+                           const double band_m[2])
 {
     assert(band_m[0] >= 0 && band_m[1] > band_m[0]);
     const double rounding = 1e-9; /* so that a band that ends on a harmonic includes it */
@@ -517,18 +482,14 @@ enum status_code power_law_band_fit_in(struct power_law_band *out, const struct 
     double first = ceil(fmin(spectrum->length_m / band_m[1] * (1 - rounding), most + 1));
     double last = floor(fmin(spectrum->length_m / band_m[0] * (1 + rounding), most));
     size_t split[2] = {first > 1 ? (size_t)first : 1, (size_t)last};
-    struct selection selection = {.all = NULL};
-    if (gather(out, &selection, spectrum, split, status) != STATUS_OK)
-        return status->code;
-    struct selection used = {.all = selection.all, .scatter = 1};
+    struct selection selection = gather(out, spectrum, split), used = {.all = selection.all, .scatter = 1};
     for (size_t i = 0; i < selection.count; i++)
         if (bin_at(&selection, i)->first >= split[0] && bin_at(&selection, i)->last <= split[1])
             used.index[used.count++] = selection.index[i];
     if (used.count < CANDIDATE_BINS)
-        return STATUS_OK;
+        return;
     struct power_law_band_fit fit = fit_of(&used, spectrum->length_m, spectrum->scans);
     conclude(out, &fit, &used, spectrum);
-    return STATUS_OK;
 }
 
 size_t power_law_band_lines(double wavelength_m[LOG_BIN_MOST], const struct power_law_band *band)

@@ -5,7 +5,6 @@
 #ifndef SPECTRUM_POWER_LAW_BAND_H
 #define SPECTRUM_POWER_LAW_BAND_H
 
-#include "base/status.h"
 #include "spectrum/log_bin.h"
 
 enum { POWER_LAW_BAND_PIECES = 6 };
@@ -88,15 +87,13 @@ struct power_law_band {
  *    any tau and one bin off at knees. The widest candidate that holds the middle of the narrow one is SCATTERED: its
  *    band reaches to L where no knee ends it, and s² = a'(phi Sigma)a, phi = sum r²/(v (n - 2)), at least 1.
  *    power_law_of_band() fits the line through the single harmonics there.
- * Nothing found is class NONE, not an error. Error: STATUS_MEMORY. */
-MUST_CHECK enum status_code power_law_band_find(struct power_law_band *out,
-                                                const struct power_law_band_spectrum *spectrum, struct status *status);
+ * Nothing found is class NONE. */
+void power_law_band_find(struct power_law_band *out, const struct power_law_band_spectrum *spectrum);
 
 /** Step 6 in a given band_m = {shortest, longest}, without lines and short bins: the user's band, or that of the mean
  * of scans for each of them. Bins are divided at its ends. Class NONE when fewer than 4 bins are left. */
-MUST_CHECK enum status_code power_law_band_fit_in(struct power_law_band *out,
-                                                  const struct power_law_band_spectrum *spectrum,
-                                                  const double band_m[2], struct status *status);
+void power_law_band_fit_in(struct power_law_band *out, const struct power_law_band_spectrum *spectrum,
+                           const double band_m[2]);
 
 /** Wavelengths of the spectral lines, longest first: of each run of bins that of the highest. Returns how many. */
 size_t power_law_band_lines(double wavelength_m[LOG_BIN_MOST], const struct power_law_band *band);

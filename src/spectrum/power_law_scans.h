@@ -39,14 +39,13 @@ struct power_law_scans_def {
 };
 
 /** The law of the mean spectrum: power_law_band_find(), or power_law_band_fit_in() where the band is given. Class NONE
- * without a scan. Errors: theirs. */
-MUST_CHECK enum status_code power_law_scans_fit(struct power_law_band *out, const struct power_law_scans *scans,
-                                                const struct power_law_scans_def *def, struct status *status);
+ * without a scan. */
+void power_law_scans_fit(struct power_law_band *out, const struct power_law_scans *scans,
+                         const struct power_law_scans_def *def);
 
-/** The law of scan i alone in the band of `mean`, a law that was found. Error: STATUS_MEMORY. */
-MUST_CHECK enum status_code power_law_scans_fit_alone(struct power_law_band *out, const struct power_law_scans *scans,
-                                                      size_t i, const struct power_law_scans_def *def,
-                                                      const struct power_law_band *mean, struct status *status);
+/** The law of scan i alone in the band of `mean`, a law that was found. */
+void power_law_scans_fit_alone(struct power_law_band *out, const struct power_law_scans *scans, size_t i,
+                               const struct power_law_scans_def *def, const struct power_law_band *mean);
 
 void power_law_scans_free(struct power_law_scans *scans);
 

@@ -39,7 +39,7 @@ static void scatter(gsl_rng *random, double of)
 
 static const struct power_law_band *find(void)
 {
-    expect_ok(power_law_band_find, &sample.band, &sample.spectrum);
+    power_law_band_find(&sample.band, &sample.spectrum);
     return &sample.band;
 }
 
@@ -358,7 +358,7 @@ TEST_CASE(test_a_given_band)
     scatter(random, 5);
     sample.other = *find();
     const struct power_law_band *found = &sample.other, *band = &sample.band;
-    expect_ok(power_law_band_fit_in, &sample.band, &sample.spectrum, found->fit.band_m);
+    power_law_band_fit_in(&sample.band, &sample.spectrum, found->fit.band_m);
     assert_near(band->fit.gamma, found->fit.gamma, 1e-13);
     assert_near(band->fit.gamma_s, found->fit.gamma_s, 1e-13);
     assert_within(found->fit.gamma_bias_s, 0, 0); /* no knee */
@@ -371,17 +371,17 @@ TEST_CASE(test_a_given_band)
         if (n < 17 || n > 911)
             sample.amplitude_m[n - 1] = sample.amplitude_m[n < 17 ? 16 : 910];
     const double given_m[2] = {1e-3 / 911, 1e-3 / 17};
-    expect_ok(power_law_band_fit_in, &sample.band, &sample.spectrum, given_m);
+    power_law_band_fit_in(&sample.band, &sample.spectrum, given_m);
     assert_int_equal(band->fit.first_harmonic, 17);
     assert_int_equal(band->fit.last_harmonic, 911);
     assert_within(band->fit.gamma, 1.3, 1e-10);
     assert_int_equal(band->pieces, 0);
     const double tiny_m[2] = {1e-3 / 911, 1e-3 / 900}, beyond_m[2] = {1, 2}, all_m[2] = {0, INFINITY};
-    expect_ok(power_law_band_fit_in, &sample.band, &sample.spectrum, tiny_m);
+    power_law_band_fit_in(&sample.band, &sample.spectrum, tiny_m);
     assert_none(band);
-    expect_ok(power_law_band_fit_in, &sample.band, &sample.spectrum, beyond_m);
+    power_law_band_fit_in(&sample.band, &sample.spectrum, beyond_m);
     assert_none(band);
-    expect_ok(power_law_band_fit_in, &sample.band, &sample.spectrum, all_m);
+    power_law_band_fit_in(&sample.band, &sample.spectrum, all_m);
     assert_int_equal(band->fit.first_harmonic, 5);
     assert_int_equal(band->fit.last_harmonic, 3000);
 }
