@@ -101,17 +101,11 @@ static enum status_code average(struct surface_record *record, const struct prof
     summary->points = profile->points > summary->points ? profile->points : summary->points;
     summary->spacing_m = fmax(profile->spacing_m, summary->spacing_m);
     summary->periodic += profile->periodic;
-    if (summary->scans++ > 0) {
-        roughness_average(&summary->roughness, roughness, summary->scans - 1);
-        if (grid_average(&record->spectrum, spectrum, summary->scans - 1, status) != STATUS_OK)
-            return status->code;
-        return grid_average_logs(&record->typical, spectrum, summary->scans - 1, status);
-    }
-    summary->roughness = *roughness;
-    if (spectrum_copy(&record->spectrum, spectrum, status) != STATUS_OK ||
-        spectrum_copy(&record->typical, spectrum, status) != STATUS_OK)
+    roughness_average(&summary->roughness, roughness, summary->scans);
+    if (grid_average(&record->spectrum, spectrum, summary->scans, status) != STATUS_OK ||
+        grid_average_logs(&record->typical, spectrum, summary->scans, status) != STATUS_OK)
         return status->code;
-    return keep_preview(record, profile, status);
+    return summary->scans++ > 0 ? STATUS_OK : keep_preview(record, profile, status);
 }
 
 /** Hash (FNV-1a) of where heights rise, from the first to the last or (`back`) the other way. */

@@ -17,20 +17,7 @@ static enum status_code take_variant(struct fft_room *room, size_t points, enum 
     return STATUS_OK;
 }
 
-/** Averages a scan's variant, whose spectrum is taken over, with `so_far` others. */
-static enum status_code add_mean(struct member *mean, size_t so_far, struct member *own, struct status *status)
-{
-    if (so_far == 0) {
-        *mean = *own;
-        return STATUS_OK;
-    }
-    roughness_average(&mean->roughness, &own->roughness, so_far);
-    enum status_code rc = grid_average(&mean->spectrum, &own->spectrum, so_far, status);
-    spectrum_free(&own->spectrum);
-    return rc;
-}
-
-/** One variant of a profile. */
+/** Averages one variant of a profile with those of the profiles before. */
 static enum status_code add_variant(struct variants *out, enum variant variant, const struct profile *profile,
                                     const struct profile_options *how, const struct record_conditioning *record,
                                     struct status *status)
@@ -38,14 +25,19 @@ static enum status_code add_variant(struct variants *out, enum variant variant, 
     bool whole = variant == VARIANT_CUTOFF || variant == VARIANT_WHOLE;
     size_t points = whole ? profile->points : profile->points / 2;
     struct fft_room room;
-    struct member own;
+    struct member own = {.strip = NULL}, *mean = &out->of[variant];
     if (!fft_room_make(&room, points))
         return status_memory(status);
     enum status_code rc = take_variant(&room, points, variant, profile, how->lambda_s_m, status);
     if (rc == STATUS_OK)
         rc = member_of_record(&own, &room, points, profile->spacing_m, record, status);
+    if (rc == STATUS_OK) {
+        roughness_average(&mean->roughness, &own.roughness, out->scans);
+        rc = grid_average(&mean->spectrum, &own.spectrum, out->scans, status);
+    }
+    spectrum_free(&own.spectrum);
     fft_room_free(&room);
-    return rc == STATUS_OK ? add_mean(&out->of[variant], out->scans, &own, status) : rc;
+    return rc;
 }
 
 enum status_code variants_add(struct variants *out, const struct profile *profile, const struct profile_options *how,

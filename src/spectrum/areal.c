@@ -150,13 +150,9 @@ static enum status_code add_spectrum(struct areal *out, const struct scan *scan,
     if (code == STATUS_OK)
         code = power_law_scans_add(&out->scans, profile.height_m, profile.points, profile.spacing_m, profile.digit_m,
                                    &refused);
-    if (code == STATUS_OK && out->spectrum_rows == 0) {
-        out->spectrum = spectrum;
-        spectrum = (struct spectrum){0};
-    } else if (code == STATUS_OK) {
+    if (code == STATUS_OK)
         code = grid_average(&out->spectrum, &spectrum, out->spectrum_rows, &refused);
-    }
-    out->spectrum_rows += code == STATUS_OK ? 1 : 0;
+    out->spectrum_rows += code == STATUS_OK;
     spectrum_free(&spectrum);
     profile_free(&profile);
     return code == STATUS_MEMORY ? status_memory(status) : STATUS_OK;

@@ -28,22 +28,33 @@ enum status_code grid_spectrum(struct spectrum *out, const struct spectrum *in, 
     return STATUS_OK;
 }
 
+/** Sets the amplitude of index i to that of a mean square height. */
+static void put_power(struct spectrum *spectrum, size_t i, double power_m2)
+{
+    bool nyquist = spectrum->has_nyquist && i + 1 == spectrum->count;
+    spectrum->amplitude_m[i] = sqrt(nyquist ? power_m2 : 2 * power_m2);
+}
+
 enum status_code grid_add(struct spectrum *sum, const struct spectrum *other, struct status *status)
 {
     struct spectrum same;
     if (grid_spectrum(&same, other, sum->length_m, sum->count, status) != STATUS_OK)
         return status->code;
-    for (size_t i = 0; i < sum->count; i++) {
-        double power = spectrum_power(sum, i) + spectrum_power(&same, i);
-        bool nyquist = sum->has_nyquist && i + 1 == sum->count;
-        sum->amplitude_m[i] = sqrt(nyquist ? power : 2 * power);
-    }
+    for (size_t i = 0; i < sum->count; i++)
+        put_power(sum, i, spectrum_power(sum, i) + spectrum_power(&same, i));
     spectrum_free(&same);
     return STATUS_OK;
 }
 
-/** A mean over spectra of the same harmonics: spectrum_average() or that of logarithms. */
+/** A mean over spectra of the same harmonics: of powers, or of logarithms. */
 typedef void average_of(struct spectrum *mean, const struct spectrum *other, size_t so_far);
+
+static void average_powers(struct spectrum *mean, const struct spectrum *other, size_t so_far)
+{
+    double weight = 1 / (double)(so_far + 1);
+    for (size_t i = 0; i < mean->count; i++)
+        put_power(mean, i, (1 - weight) * spectrum_power(mean, i) + weight * spectrum_power(other, i));
+}
 
 static void average_logs(struct spectrum *mean, const struct spectrum *other, size_t so_far)
 {
@@ -55,6 +66,8 @@ static void average_logs(struct spectrum *mean, const struct spectrum *other, si
 static enum status_code average(struct spectrum *mean, const struct spectrum *other, size_t so_far, average_of *take,
                                 struct status *status)
 {
+    if (so_far == 0)
+        return spectrum_copy(mean, other, status);
     if (other->count == mean->count && other->has_nyquist == mean->has_nyquist &&
         fabs(other->length_m / mean->length_m - 1) < 1e-6) {
         take(mean, other, so_far);
@@ -77,7 +90,7 @@ static enum status_code average(struct spectrum *mean, const struct spectrum *ot
 
 enum status_code grid_average(struct spectrum *mean, const struct spectrum *other, size_t so_far, struct status *status)
 {
-    return average(mean, other, so_far, spectrum_average, status);
+    return average(mean, other, so_far, average_powers, status);
 }
 
 enum status_code grid_average_logs(struct spectrum *mean, const struct spectrum *other, size_t so_far,

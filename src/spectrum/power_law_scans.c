@@ -39,8 +39,7 @@ enum status_code power_law_scans_add(struct power_law_scans *scans, const double
     struct spectrum own;
     enum status_code rc = taper(&own, height_m, points, spacing_m, status);
     if (rc == STATUS_OK)
-        rc = scans->scan_count == 0 ? spectrum_copy(&scans->mean, &own, status)
-                                    : grid_average(&scans->mean, &own, scans->scan_count, status);
+        rc = grid_average(&scans->mean, &own, scans->scan_count, status);
     if (rc != STATUS_OK) {
         spectrum_free(&own);
         return rc;

@@ -77,6 +77,10 @@ void roughness_from_spectrum(struct roughness *roughness, const struct spectrum 
 void roughness_average(struct roughness *mean, const struct roughness *other, size_t so_far)
 {
     double weight = 1 / (double)(so_far + 1);
+    if (so_far == 0) {
+        *mean = *other;
+        return;
+    }
     mean->ra_m += weight * (other->ra_m - mean->ra_m);
     mean->m0_m2 += weight * (other->m0_m2 - mean->m0_m2);
     mean->m2 += weight * (other->m2 - mean->m2);

@@ -39,7 +39,8 @@ void roughness_from_spectrum(struct roughness *roughness, const struct spectrum 
 double roughness_skewness(const struct roughness *roughness);
 double roughness_kurtosis(const struct roughness *roughness);
 
-/** Adds a scan to a mean over `so_far` scans: m0, m2, m4, Ra averaged, Rq from m0, PV the largest. */
+/** Adds a scan to a mean over `so_far` others, 0 of which begin one: m0, m2, m4, Ra averaged, Rq from m0, PV the
+ * largest. */
 void roughness_average(struct roughness *mean, const struct roughness *other, size_t so_far);
 
 /** Two rough surfaces in contact: moments add, Rq follows; Ra and PV become NaN. */

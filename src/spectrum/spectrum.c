@@ -58,24 +58,13 @@ enum status_code spectrum_compute(struct spectrum *out, const double *height_m, 
     return rc;
 }
 
-void spectrum_average(struct spectrum *mean, const struct spectrum *other, size_t so_far)
-{
-    double weight = 1 / (double)(so_far + 1);
-    assert(other->count == mean->count && other->has_nyquist == mean->has_nyquist);
-    for (size_t i = 0; i < mean->count; i++) {
-        double power = (1 - weight) * spectrum_power(mean, i) + weight * spectrum_power(other, i);
-        mean->amplitude_m[i] = sqrt(mean->has_nyquist && i + 1 == mean->count ? power : 2 * power);
-    }
-}
-
 enum status_code spectrum_add_record(struct spectrum *mean, size_t so_far, const double *height_m, size_t points,
                                      double spacing_m, struct status *status)
 {
-    struct spectrum one = {0};
-    enum status_code rc =
-        spectrum_compute(so_far > 0 ? &one : mean, height_m, points, spacing_m, SPECTRUM_WINDOW_NONE, status);
-    if (rc == STATUS_OK && so_far > 0)
-        spectrum_average(mean, &one, so_far);
+    struct spectrum one;
+    enum status_code rc = spectrum_compute(&one, height_m, points, spacing_m, SPECTRUM_WINDOW_NONE, status);
+    if (rc == STATUS_OK)
+        rc = grid_average(mean, &one, so_far, status);
     spectrum_free(&one);
     return rc;
 }

@@ -38,9 +38,7 @@ MUST_CHECK enum status_code spectrum_compute(struct spectrum *out, const double 
 MUST_CHECK enum status_code spectrum_of_record(struct spectrum *out, struct fft_room *room, size_t points,
                                                double spacing_m, enum spectrum_window window, struct status *status);
 
-/** Adds a spectrum to a mean over `so_far` spectra of the same harmonics: powers averaged harmonic by harmonic. */
-void spectrum_average(struct spectrum *mean, const struct spectrum *other, size_t so_far);
-/** The same of a record, without a window; the first one becomes the mean. Error: STATUS_MEMORY. */
+/** grid_average() of a record's spectrum without a window. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code spectrum_add_record(struct spectrum *mean, size_t so_far, const double *height_m,
                                                 size_t points, double spacing_m, struct status *status);
 
@@ -87,8 +85,9 @@ MUST_CHECK enum status_code grid_spectrum(struct spectrum *out, const struct spe
  * harmonics (above its Nyquist frequency, below its first) nothing is added. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code grid_add(struct spectrum *sum, const struct spectrum *other, struct status *status);
 
-/** spectrum_average() of spectra of any records: where they differ, both are first put on the grid of the shorter
- * record and of the lower Nyquist frequency. Error: STATUS_MEMORY. */
+/** Adds a spectrum to a mean over `so_far` others, of which 0 begin one: powers averaged harmonic by harmonic. Spectra
+ * that differ are first put on the grid of the shorter record and of the lower Nyquist frequency. Error: STATUS_MEMORY.
+ */
 MUST_CHECK enum status_code grid_average(struct spectrum *mean, const struct spectrum *other, size_t so_far,
                                          struct status *status);
 /** The same with geometric means of amplitudes; a harmonic that is 0 in one of them is 0 in the mean. */
