@@ -178,7 +178,7 @@ struct ladder {
 };
 
 static enum status_code solve_load(struct transfer_point *out, struct direct_contact *contact, double load,
-                                   const struct ladder *ladder, uint64_t *transforms, struct status *status)
+                                   const struct ladder *ladder, atomic_uint_fast64_t *transforms, struct status *status)
 {
     const struct direct_ladder_def def = {&load, 1, ladder->hardness, tolerance, true, ladder->stop, true};
     struct direct_point found;
@@ -211,7 +211,7 @@ static size_t coarsest(const struct transfer_point *point, size_t loads, double 
 /** Solves a map at the loads of the ladder, and at some more between them if `refine`; useless solutions become NaN.
  * Counts transforms. */
 static enum status_code solve(struct transfer_point *out, const struct direct_map *map, struct ladder *ladder,
-                              bool refine, uint64_t *transforms, struct status *status)
+                              bool refine, atomic_uint_fast64_t *transforms, struct status *status)
 {
     struct direct_contact contact;
     size_t at;
@@ -260,11 +260,9 @@ struct work {
     size_t count, kinds; /* of squares; solved */
     struct direct_map first;
     struct transfer_square *square;
-    struct ladder ladder[KINDS]; /* that of a kind is known when the first square's is */
+    struct ladder ladder[KINDS]; /* complete once the first square is solved */
     struct transfer_point part[KINDS][DIRECT_MAP_PARTS][TRANSFER_LOADS];
-    pthread_mutex_t lock; /* of these and of the count of transforms */
-    pthread_cond_t learned;
-    enum { UNKNOWN, KNOWN, LOST } is[KINDS];
+    atomic_uint_fast64_t transforms;
 };
 
 /** The loads at which errors are found: not the ends of a ladder, where hardly anything or everything touches. */
@@ -353,21 +351,20 @@ static enum status_code describe(struct transfer_square *out, const struct direc
 }
 
 /** Solves one of the other squares. */
-static enum status_code solve_square(struct work *work, int kind, size_t s, uint64_t *transforms, struct status *status)
+static enum status_code solve_square(struct work *work, int kind, size_t s, struct status *status)
 {
     struct direct_map map;
     if (make_square(&map, work->tiles, s, status) != STATUS_OK)
         return status->code;
     enum status_code rc = kind == 0 ? describe(&work->square[s], &map, status) : STATUS_OK;
     if (rc == STATUS_OK)
-        rc = solve(work->square[s].point[kind], &map, &work->ladder[kind], false, transforms, status);
+        rc = solve(work->square[s].point[kind], &map, &work->ladder[kind], false, &work->transforms, status);
     direct_map_free(&map);
     return rc;
 }
 
 /** Solves a part of the first square, if it contributes to the error. */
-static enum status_code solve_part(struct work *work, int kind, enum direct_map_part p, uint64_t *transforms,
-                                   struct status *status)
+static enum status_code solve_part(struct work *work, int kind, enum direct_map_part p, struct status *status)
 {
     struct direct_map map;
     size_t only[TRANSFER_ERRORS];
@@ -376,45 +373,35 @@ static enum status_code solve_part(struct work *work, int kind, enum direct_map_
         return STATUS_OK;
     if (direct_map_take(&map, &work->first, p, status) != STATUS_OK)
         return status->code;
-    (void)solve(work->part[kind][p], &map, &ladder, false, transforms, status);
+    (void)solve(work->part[kind][p], &map, &ladder, false, &work->transforms, status);
     direct_map_free(&map);
     return status->code;
 }
 
-/** Waits for the ladder of a kind; false: there is none. */
-static bool learn(struct work *work, int kind)
-{
-    pthread_mutex_lock(&work->lock);
-    while (work->is[kind] == UNKNOWN)
-        pthread_cond_wait(&work->learned, &work->lock);
-    bool known = work->is[kind] == KNOWN;
-    pthread_mutex_unlock(&work->lock);
-    return known;
-}
-
-/** The first square below the hardness and elastic; then, in this order, the others and the parts of the first. */
-static enum status_code solve_task(void *context, size_t index, struct threads_turn *turn, struct status *status)
+/** Solves the first square, below the hardness and elastic. */
+static enum status_code solve_first(void *context, size_t index, struct threads_turn *turn, struct status *status)
 {
     struct work *work = context;
-    const size_t others = work->count - 1 + DIRECT_MAP_PARTS - DIRECT_MAP_SECOND;
-    const bool leads = index < work->kinds;
-    const int kind = (int)(work->kinds - 1 - (leads ? index : (index - work->kinds) / others));
-    const size_t s = leads ? 0 : 1 + (index - work->kinds) % others;
-    uint64_t transforms = 0;
+    const size_t kind = work->kinds - 1 - index;
     (void)turn;
-    if (leads)
-        (void)solve(work->square[0].point[kind], &work->first, &work->ladder[kind], true, &transforms, status);
-    else if (learn(work, kind))
-        (void)(s < work->count ? solve_square(work, kind, s, &transforms, status)
-                               : solve_part(work, kind, (enum direct_map_part)(DIRECT_MAP_SECOND + s - work->count),
-                                            &transforms, status));
-    pthread_mutex_lock(&work->lock);
-    if (leads)
-        work->is[kind] = status->code == STATUS_OK ? KNOWN : LOST;
-    pthread_cond_broadcast(&work->learned);
-    work->tiles->transforms += transforms;
-    pthread_mutex_unlock(&work->lock);
-    return status->code;
+    return solve(work->square[0].point[kind], &work->first, &work->ladder[kind], true, &work->transforms, status);
+}
+
+/** How many others there are of each kind: the other squares, then the parts of the first. */
+static size_t others_of(const struct work *work)
+{
+    return work->count - 1 + DIRECT_MAP_PARTS - DIRECT_MAP_SECOND;
+}
+
+static enum status_code solve_other(void *context, size_t index, struct threads_turn *turn, struct status *status)
+{
+    struct work *work = context;
+    const size_t others = others_of(work), s = 1 + index % others;
+    const int kind = (int)(work->kinds - 1 - index / others);
+    (void)turn;
+    return s < work->count
+               ? solve_square(work, kind, s, status)
+               : solve_part(work, kind, (enum direct_map_part)(DIRECT_MAP_SECOND + s - work->count), status);
 }
 
 /** Solves all. */
@@ -433,9 +420,9 @@ static enum status_code solve_all(struct work *work, const struct threads *threa
     }
     ladder[1].loads = transfer_capped_loads(ladder[1].load, gradient, ladder[1].hardness);
     work->kinds = ladder[1].loads > 0 ? 2 : 1;
-    (void)!threads_run(threads, work->kinds * (work->count + DIRECT_MAP_PARTS - DIRECT_MAP_SECOND), solve_task, work,
-                       status);
-    return status->code;
+    if (threads_run(threads, work->kinds, solve_first, work, status) != STATUS_OK)
+        return status->code;
+    return threads_run(threads, work->kinds * others_of(work), solve_other, work, status);
 }
 
 static enum status_code run(struct tiles *tiles, double hardness, const struct threads *threads, struct status *status)
@@ -443,9 +430,7 @@ static enum status_code run(struct tiles *tiles, double hardness, const struct t
     struct work work = {.tiles = tiles,
                         .count = tiles->columns * tiles->rows,
                         .ladder = {{.hardness = INFINITY, .finest = hardness, .stop = threads->stop},
-                                   {.hardness = hardness, .finest = INFINITY, .stop = threads->stop}},
-                        .lock = PTHREAD_MUTEX_INITIALIZER,
-                        .learned = PTHREAD_COND_INITIALIZER};
+                                   {.hardness = hardness, .finest = INFINITY, .stop = threads->stop}}};
     struct transfer *transfer = tiles->transfer = calloc(1, sizeof *transfer);
     work.square = calloc(work.count, sizeof *work.square);
     enum status_code rc = work.square && transfer ? solve_all(&work, threads, status) : status_memory(status);
@@ -461,8 +446,7 @@ static enum status_code run(struct tiles *tiles, double hardness, const struct t
         spectrum_free(&work.square[s].spectrum);
     direct_map_free(&work.first);
     free(work.square);
-    pthread_mutex_destroy(&work.lock);
-    pthread_cond_destroy(&work.learned);
+    tiles->transforms = work.transforms;
     return rc;
 }
 
