@@ -62,14 +62,9 @@ enum status_code copies_find(const char **of, struct copies *copies, const struc
             *of = copies->prints[i].file;
     if (*of)
         return STATUS_OK;
-    if ((copies->count & (copies->count - 1)) == 0) { /* room for twice as many at each power of two */
-        struct copies_print *more =
-            reallocarray(copies->prints, copies->count > 0 ? 2 * copies->count : 1, sizeof *more);
-        if (!more)
-            return status_memory(status);
-        copies->prints = more;
-    }
-    if (!(own.file = strdup(file)))
+    struct copies_print *more = reallocarray(copies->prints, copies->count + 1, sizeof *more);
+    copies->prints = more ? more : copies->prints;
+    if (!more || !(own.file = strdup(file)))
         return status_memory(status);
     copies->prints[copies->count++] = own;
     return STATUS_OK;

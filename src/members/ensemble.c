@@ -35,14 +35,10 @@ void ensemble_free(struct ensemble *set)
 
 struct member *ensemble_room(struct ensemble *set)
 {
-    if (set->count == set->capacity) {
-        size_t capacity = 2 * set->capacity + 4;
-        struct member *members = reallocarray(set->members, capacity, sizeof *members);
-        if (!members)
-            return NULL;
-        set->members = members;
-        set->capacity = capacity;
-    }
+    struct member *members = reallocarray(set->members, set->count + 1, sizeof *members);
+    if (!members)
+        return NULL;
+    set->members = members;
     set->members[set->count] = (struct member){0};
     return &set->members[set->count++];
 }

@@ -37,12 +37,12 @@ struct member {
 /** Members in the order of their scans. Owned: ensemble_free(). */
 struct ensemble {
     struct member *members;
-    size_t count, capacity; /* 0: a single scan, the surface itself */
-    double *scan_weight;    /* of each scan its length over that of the shortest */
-    size_t scan_count;      /* 1: a map, whose rows the members are */
-    double sigma_m;         /* rms height of the surface */
-    bool keeps_heights;     /* also of pieces */
-    bool solved_alone;      /* models that use strips answer only for members that have one */
+    size_t count;        /* 0: a single scan, the surface itself */
+    double *scan_weight; /* of each scan its length over that of the shortest */
+    size_t scan_count;   /* 1: a map, whose rows the members are */
+    double sigma_m;      /* rms height of the surface */
+    bool keeps_heights;  /* also of pieces */
+    bool solved_alone;   /* models that use strips answer only for members that have one */
 };
 void ensemble_free(struct ensemble *set);
 

@@ -28,14 +28,10 @@ static enum status_code taper(struct spectrum *out, const double *height_m, size
 enum status_code power_law_scans_add(struct power_law_scans *scans, const double *height_m, size_t points,
                                      double spacing_m, double step_m, struct status *status)
 {
-    if (scans->scan_count == scans->capacity) {
-        size_t larger = scans->capacity ? 2 * scans->capacity : 4;
-        struct power_law_scan *scan = realloc(scans->scan, larger * sizeof *scan);
-        if (!scan)
-            return status_memory(status);
-        scans->scan = scan;
-        scans->capacity = larger;
-    }
+    struct power_law_scan *more = reallocarray(scans->scan, scans->scan_count + 1, sizeof *more);
+    if (!more)
+        return status_memory(status);
+    scans->scan = more;
     struct spectrum own;
     enum status_code rc = taper(&own, height_m, points, spacing_m, status);
     if (rc == STATUS_OK)

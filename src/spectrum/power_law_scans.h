@@ -16,7 +16,7 @@ struct power_law_scan {
 struct power_law_scans {
     struct spectrum mean;        /* rms amplitudes, grid_average() of those of the scans */
     struct power_law_scan *scan; /* scan_count of them */
-    size_t scan_count, capacity;
+    size_t scan_count;
     size_t closed, files; /* scans in files that are complete, and those files */
     double independent;   /* M: profile scans, and what the rows of maps count as */
     double step_m;        /* largest digitising step; 0: none seen */
