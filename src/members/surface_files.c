@@ -90,8 +90,8 @@ static enum status_code add_scans(const struct surface_scans *task, struct text 
             return status_fail(status, rc, "%s", problem.message);
         else
             note_refused_scan(summary, "archive", problem.message);
-        if (rc != STATUS_OK && refused.code == STATUS_OK)
-            refused = problem;
+        if (rc != STATUS_OK)
+            (void)status_fail(&refused, rc, "%s", problem.message); /* the first */
     } while (options.entry > 0);
     return added > 0 ? STATUS_OK : status_fail(status, refused.code, "%s", refused.message);
 }
@@ -147,25 +147,21 @@ static struct content *files_by_content(const struct surface_scans *task, const 
     return out;
 }
 
-/** Notes which scans were refused, where others are used. */
+/** Notes which scans were refused; where none is used, the first reason is the surface's own. */
 static void note_refused(struct surface_summary *summary, char *const *refusal, size_t count, size_t used)
 {
     char others[80] = "";
     if (used > 0)
         snprintf(others, sizeof others, "used %zu\nscans %zu", used, count);
-    bool first = true; /* without a usable scan the first reason is the surface's own */
-    for (size_t f = 0; f < count; f++) {
-        if (refusal[f] && (used > 0 || !first))
+    for (size_t f = used > 0 ? 0 : 1; f < count; f++)
+        if (refusal[f])
             note_refused_scan(summary, others, refusal[f]);
-        first = first && !refusal[f];
-    }
 }
 
 enum status_code surface_files_read(const struct surface_scans *task, struct hash *hash, struct status *status)
 {
     const struct scene_surface *surface = task->record->summary.scene;
     size_t count = surface->files.count, used = 0;
-    struct status refused = {0};
     struct content *file = files_by_content(task, surface);
     char **refusal = calloc(count + 1, sizeof *refusal);
     enum status_code rc = file && refusal ? STATUS_OK : status_memory(status);
@@ -177,13 +173,11 @@ enum status_code surface_files_read(const struct surface_scans *task, struct has
             rc = status_fail(status, own, "%s", problem.message);
         else if (own != STATUS_OK && !(refusal[f] = strdup(problem.message)))
             rc = status_memory(status);
-        else if (own != STATUS_OK && refused.code == STATUS_OK)
-            refused = problem;
     }
     if (rc == STATUS_OK && count > 1)
         note_refused(&task->record->summary, refusal, count, used);
     if (rc == STATUS_OK && used == 0)
-        rc = status_fail(status, STATUS_SCAN, "%s", refused.message);
+        rc = status_fail(status, STATUS_SCAN, "%s", refusal[0]);
     for (size_t f = 0; refusal && f < count; f++)
         free(refusal[f]);
     free(refusal);
