@@ -127,11 +127,10 @@ static uint64_t seed_of(const struct scan *scan, size_t row)
     return hash_rises(height_m, scan->nx, false) + hash_rises(height_m, scan->nx, true);
 }
 
-/** Adds one profile, a row of a scan, to the mean, to the spectra for the law, to the variants, and as a member. `had`:
- * how its heights were conditioned. */
-static enum status_code add_profile(const struct surface_scans *task, const struct profile_options *had,
-                                    const struct scan *scan, size_t row, uint64_t seed, struct profile *profile,
-                                    struct status *status)
+/** Adds one profile, a row of a scan, to the mean, to the spectra for the law, to the variants, and as a member.
+ * lambda_s_m: of the low-pass it had. */
+static enum status_code add_profile(const struct surface_scans *task, double lambda_s_m, const struct scan *scan,
+                                    size_t row, uint64_t seed, struct profile *profile, struct status *status)
 {
     struct surface_record *record = task->record;
     const struct scene *scene = task->scene;
@@ -146,7 +145,7 @@ static enum status_code add_profile(const struct surface_scans *task, const stru
         rc = power_law_scans_add(task->scans, profile->height_m, profile->points, profile->spacing_m, profile->digit_m,
                                  status);
     if (rc == STATUS_OK && scene->counterface_surface.files.count == 0)
-        rc = variants_add(&record->variants, profile, had, scene->window, scene->moments, status);
+        rc = variants_add(&record->variants, profile, lambda_s_m, scene, status);
     if (rc == STATUS_OK && scan->kind == SCAN_PROFILE && keeps_direct(record, scene))
         rc = keep_direct(record, scan, profile, status);
     if (rc == STATUS_OK)
@@ -265,7 +264,6 @@ enum status_code surface_rows_add(const struct surface_scans *task, struct scan 
                                         .lambda_c_m = scene->lambda_c_m,
                                         .tip_radius_m = scene->tip_radius_m,
                                         .periodic_mean = !scene->level_given};
-    struct profile_options had = how; /* how its heights were conditioned */
     struct direct_map_def map = {0};
     size_t unusable = 0, run_before = set->count;
     bool areal = scan->kind == SCAN_AREAL, first_file = summary->scans == 0;
@@ -277,8 +275,7 @@ enum status_code surface_rows_add(const struct surface_scans *task, struct scan 
     if ((areal && condition_map(of, &map, scan, scene, status) != STATUS_OK) ||
         repeats_add_scan(set, status) != STATUS_OK)
         return status->code;
-    double cutoff_m = fmax(summary->cutoff_m, map.cutoff * map.dx_m);
-    had.lambda_s_m = fmax(scene->lambda_s_m, cutoff_m);
+    const double cutoff_m = fmax(summary->cutoff_m, map.cutoff * map.dx_m);
     for (size_t row = 0; row < scan->ny; row++) {
         struct profile profile;
         struct status problem = {0};
@@ -287,7 +284,7 @@ enum status_code surface_rows_add(const struct surface_scans *task, struct scan 
         enum status_code rc = take_row(&profile, scan, row, &how, &problem);
         summary->times.prepare += clock_seconds() - started;
         if (rc == STATUS_OK)
-            rc = add_profile(task, &had, scan, row, seed, &profile, &problem);
+            rc = add_profile(task, fmax(scene->lambda_s_m, cutoff_m), scan, row, seed, &profile, &problem);
         if (rc == STATUS_OK && row == unusable) /* of a map those of the first usable row */
             note_scan(summary, scan, row, &profile, name);
         profile_free(&profile);

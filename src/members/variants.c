@@ -19,8 +19,7 @@ static enum status_code take_variant(struct fft_room *room, size_t points, enum 
 
 /** Averages one variant of a profile with those of the profiles before. */
 static enum status_code add_variant(struct variants *out, enum variant variant, const struct profile *profile,
-                                    const struct profile_options *how, const struct record_conditioning *record,
-                                    struct status *status)
+                                    double lambda_s_m, const struct record_conditioning *how, struct status *status)
 {
     bool whole = variant == VARIANT_CUTOFF || variant == VARIANT_WHOLE;
     size_t points = whole ? profile->points : profile->points / 2;
@@ -28,9 +27,9 @@ static enum status_code add_variant(struct variants *out, enum variant variant, 
     struct member own = {.strip = NULL}, *mean = &out->of[variant];
     if (!fft_room_make(&room, points))
         return status_memory(status);
-    enum status_code rc = take_variant(&room, points, variant, profile, how->lambda_s_m, status);
+    enum status_code rc = take_variant(&room, points, variant, profile, lambda_s_m, status);
     if (rc == STATUS_OK)
-        rc = member_of_record(&own, &room, points, profile->spacing_m, record, status);
+        rc = member_of_record(&own, &room, points, profile->spacing_m, how, status);
     if (rc == STATUS_OK) {
         roughness_average(&mean->roughness, &own.roughness, out->scans);
         rc = grid_average(&mean->spectrum, &own.spectrum, out->scans, status);
@@ -40,17 +39,17 @@ static enum status_code add_variant(struct variants *out, enum variant variant, 
     return rc;
 }
 
-enum status_code variants_add(struct variants *out, const struct profile *profile, const struct profile_options *how,
-                              enum spectrum_window window, enum roughness_moments moments, struct status *status)
+enum status_code variants_add(struct variants *out, const struct profile *profile, double lambda_s_m,
+                              const struct scene *scene, struct status *status)
 {
-    struct record_conditioning record = {how->level, how->periodic_mean, false, window, moments, false};
+    struct record_conditioning how = record_conditioning_of(scene, false);
     if (profile->points < LEAST_POINTS)
         return STATUS_OK;
     for (int variant = 0; variant < VARIANT_COUNT; variant++) {
-        record.periodic = profile->periodic && variant == VARIANT_CUTOFF;
+        how.periodic = profile->periodic && variant == VARIANT_CUTOFF;
         out->levelled[variant] =
-            how->level >= LEVEL_LINE && !(record.periodic && how->periodic_mean) && !(how->lambda_c_m > 0);
-        if (add_variant(out, (enum variant)variant, profile, how, &record, status) != STATUS_OK)
+            how.level >= LEVEL_LINE && !(how.periodic && how.periodic_mean) && !(scene->lambda_c_m > 0);
+        if (add_variant(out, (enum variant)variant, profile, lambda_s_m, &how, status) != STATUS_OK)
             return status->code;
     }
     out->scans++;

@@ -21,9 +21,8 @@ struct variants {
 /** Adds a profile's variants: low-passed (ISO 16610-21) at twice lambda_s, or four spacings where none is stated,
  * levelled and windowed as the profile is; its halves; and the whole as if it were not periodic. Error:
  * STATUS_MEMORY. */
-MUST_CHECK enum status_code variants_add(struct variants *out, const struct profile *profile,
-                                         const struct profile_options *how, enum spectrum_window window,
-                                         enum roughness_moments moments, struct status *status);
+MUST_CHECK enum status_code variants_add(struct variants *out, const struct profile *profile, double lambda_s_m,
+                                         const struct scene *scene, struct status *status);
 void variants_free(struct variants *variants);
 
 #endif
