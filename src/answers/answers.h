@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Answers to a scene's questions on one surface: the load that each target needs, by every model, and whether the
- * limits are kept at the operating load. */
+/* Runs the models on one surface, and answers a scene's questions: the load that each target needs, by every model, and
+ * whether the limits are kept at the operating load. */
 #ifndef ANSWERS_ANSWERS_H
 #define ANSWERS_ANSWERS_H
 
@@ -8,6 +8,7 @@
 #include "scene/plan.h"
 
 struct surface_record; /* members/surface.h */
+struct surface_task;   /* the same */
 
 enum answer_kind {
     ANSWER_NONE,       /* the model does not compute the quantity */
@@ -41,6 +42,11 @@ struct limit_check {
     double low, high; /* 95 % interval; NaN: not known, then the value decides */
     enum limit_verdict verdict;
 };
+
+/** Runs those models of the plan that can answer for a surface that has been read, and plans its direct study where
+ * called for. Errors: STATUS_INTERRUPTED, STATUS_MEMORY. */
+MUST_CHECK enum status_code surface_answers_find(struct surface_record *record, const struct surface_task *task,
+                                                 struct status *status);
 
 /** Fills record->summary.answers and .limits after all models have run; once more after summary.carried is known. Each
  * target is solved on the surface's curve to the tolerance of `task`. Its interval ends where the ends of the

@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "answers/curves.h"
-#include "answers/shaped.h"
-
 #include "answers/answers.h"
+
 #include "answers/direct_study.h"
+#include "answers/shaped.h"
 #include "base/clock.h"
 #include "certainty/sensitivity.h"
 #include "certainty/uncertainty.h"
@@ -295,14 +294,9 @@ enum status_code surface_answers_find(struct surface_record *record, const struc
     struct surface_task asked = *task;
     asked.plan = &plan;
     effects_fit_models(&plan, record, 1);
-    enum status_code rc = STATUS_OK;
-    if (plan_runs(&plan, EFFECT_DIRECT))
-        rc = direct_study_plan(record, &asked, status);
-    if (rc == STATUS_OK)
-        rc = solve_tiles(record, &plan, &asked.threads, status);
-    if (rc == STATUS_OK)
-        rc = solve_strips(record, &plan, &asked.threads, status);
-    if (rc == STATUS_OK)
-        rc = curves_run(record, &asked, status);
-    return rc;
+    if ((plan_runs(&plan, EFFECT_DIRECT) && direct_study_plan(record, &asked, status) != STATUS_OK) ||
+        solve_tiles(record, &plan, &asked.threads, status) != STATUS_OK ||
+        solve_strips(record, &plan, &asked.threads, status) != STATUS_OK)
+        return status->code;
+    return curves_run(record, &asked, status);
 }

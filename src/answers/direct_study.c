@@ -92,10 +92,8 @@ static enum status_code find_rows(struct maker *maker, struct status *status)
     for (size_t row = 0, length = points / rows.rows; row < rows.rows && rc == STATUS_OK; row++)
         rc = spectrum_add_record(&study->rows, row, joined_m + row * length, length, rows.spacing_m, status);
     free(joined_m);
-    if (rc != STATUS_OK)
-        return rc;
     study->rows.length_m /= surface_kappa(&maker->task->surface->summary);
-    return STATUS_OK;
+    return rc;
 }
 
 static struct direct_ensemble_def ensemble_def(struct maker *maker, enum direct_study_kind kind)

@@ -107,14 +107,14 @@ static enum status_code read_run(struct measured *out, const char *name, const s
     const unsigned quantities[MEASURED_COLUMNS] = {UNIT_LOADS, resistances, resistances | UNIT_NUMBER | UNIT_PERCENT};
     struct measured_file file = {0};
     char *path = scene_file_path(scene, name);
-    enum status_code rc = path ? measured_file_take(&file, path, name, quantities, status) : status_memory(status);
-    if (rc == STATUS_OK)
-        rc = complete_units(&file, name, out->given, quantities, status);
-    if (rc == STATUS_OK)
-        rc = add_run(out, &file, name, scene, pair, status);
+    if (!path)
+        return status_memory(status);
+    if (measured_file_take(&file, path, name, quantities, status) == STATUS_OK &&
+        complete_units(&file, name, out->given, quantities, status) == STATUS_OK)
+        (void)add_run(out, &file, name, scene, pair, status);
     measured_file_free(&file);
     free(path);
-    return rc;
+    return status->code;
 }
 
 enum status_code measured_read(struct measured *out, const struct scene *scene, const struct plan *plan,

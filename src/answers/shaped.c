@@ -52,21 +52,19 @@ static enum status_code own_curve(struct table *out, const struct surface_record
     for (size_t i = 0; i < count; i++)
         loads[i] = pow(10, decades * ((double)i / (double)(count - 1) - 1));
     const struct model_task dense = model_task_at(task, loads, count);
-    enum status_code rc = points ? STATUS_OK : status_memory(status);
-    if (rc == STATUS_OK)
-        rc = ensemble_curve(&curve, NULL, &record->ensemble, model_rows[m], &dense, status);
-    for (size_t i = 0; curve.exists && i < curve.count && i < count; i++)
-        own_gap_m[i] = points[i].value[QUANTITY_SEPARATION];
-    if (rc == STATUS_OK && curve.exists)
+    if (!points)
+        return status_memory(status);
+    if (ensemble_curve(&curve, NULL, &record->ensemble, model_rows[m], &dense, status) == STATUS_OK && curve.exists) {
+        for (size_t i = 0; i < curve.count && i < count; i++)
+            own_gap_m[i] = points[i].value[QUANTITY_SEPARATION];
         joint_hold(points, curve.count, joint);
-    if (rc == STATUS_OK)
-        rc = joint_curve(&curve, model_rows[m], &dense, joint, status);
-    for (size_t i = 0; curve.exists && i < curve.count && i < count; i++) /* a bond line adds no stiffness */
-        points[i].value[QUANTITY_SEPARATION] = own_gap_m[i];
-    if (rc == STATUS_OK && curve.exists)
+        (void)!joint_curve(&curve, model_rows[m], &dense, joint, status);
+        for (size_t i = 0; i < curve.count && i < count; i++) /* a bond line adds no stiffness */
+            points[i].value[QUANTITY_SEPARATION] = own_gap_m[i];
         take_points(out, &curve, 1, joint, JOINT_HEAT);
+    }
     free(points);
-    return rc;
+    return status->code;
 }
 
 /** The cells of the nominal area, with a model's curve. */

@@ -4,6 +4,7 @@
 #include "direct/direct_quantities.h"
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 static const double tolerance = 1e-4;   /* enough for a picture and for spots that are counted in points */
 static const double at_hardness = 1e-6; /* relative: a pressure this near to the hardness has reached it */
@@ -125,9 +126,7 @@ static enum status_code solve_square(struct map_contact *out, const struct direc
     enum status_code rc = field.left && field.at ? STATUS_OK : status_memory(status);
     if (rc == STATUS_OK && (rc = direct_contact_make(&contact, map->height_m, &map->grid, status)) == STATUS_OK) {
         if ((rc = direct_contact_solve(&contact, load, status)) == STATUS_OK) {
-            const uint8_t *touching = direct_contact_touching(&contact);
-            for (size_t k = 0; k < n * n; k++)
-                field.left[k] = touching[k];
+            memcpy(field.left, direct_contact_touching(&contact), n * n);
             out->area_ratio = direct_quantities_of(&contact, load).area_ratio;
             rc = draw_contact(out, map, &field, load->hardness, status);
         }

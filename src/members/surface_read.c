@@ -34,13 +34,12 @@ enum status_code surface_read_counterface(struct surface_record *record, struct 
         return status->code;
     if (record->ensemble.count < 2)
         ensemble_free(&record->ensemble);
-    for (size_t i = 0; i < scans->scan_count && counterface->tapered.count > 0; i++)
+    const bool tapered = scans->scan_count > 0 && counterface->tapered.count > 0;
+    for (size_t i = 0; i < scans->scan_count && tapered; i++)
         if (grid_add(&scans->scan[i].spectrum, &counterface->tapered, status) != STATUS_OK)
             return status->code;
-    if (scans->scan_count > 0 && counterface->tapered.count > 0 &&
-        grid_add(&scans->mean, &counterface->tapered, status) != STATUS_OK)
-        return status->code;
-    if (grid_add(&record->typical, &counterface->typical, status) != STATUS_OK)
+    if ((tapered && grid_add(&scans->mean, &counterface->tapered, status) != STATUS_OK) ||
+        grid_add(&record->typical, &counterface->typical, status) != STATUS_OK)
         return status->code;
     return grid_add(&record->spectrum, &counterface->spectrum, status);
 }

@@ -142,13 +142,11 @@ static enum status_code spectrum_along(struct spectrum *out, const struct scan *
 static enum status_code spectrum_of(struct spectrum *out, const struct scan *map, bool mirrored, struct status *status)
 {
     struct spectrum across = {0};
-    enum status_code rc = spectrum_along(out, map, direct_map_lines(map->nx, map->ny, false), mirrored, status);
-    if (rc == STATUS_OK)
-        rc = spectrum_along(&across, map, direct_map_lines(map->nx, map->ny, true), mirrored, status);
-    if (rc == STATUS_OK)
-        rc = grid_average(out, &across, 1, status);
+    if (spectrum_along(out, map, direct_map_lines(map->nx, map->ny, false), mirrored, status) == STATUS_OK &&
+        spectrum_along(&across, map, direct_map_lines(map->nx, map->ny, true), mirrored, status) == STATUS_OK)
+        (void)!grid_average(out, &across, 1, status);
     spectrum_free(&across);
-    return rc;
+    return status->code;
 }
 
 /** The spectrum of the whole map over its plane, or of the square if that is the whole map. */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "run/all_surfaces.h"
 
-#include "answers/curves.h"
+#include "answers/answers.h"
 #include "answers/direct_study.h"
 #include "base/threads.h"
 #include "members/surface_read.h"

@@ -143,19 +143,16 @@ static enum status_code add_spectrum(struct areal *out, const struct scan *scan,
     struct profile profile;
     struct spectrum spectrum = {0};
     struct status refused = {0};
-    enum status_code code = profile_make(&profile, scan, y, &profile_defaults, &refused);
-    if (code == STATUS_OK)
-        code = spectrum_compute(&spectrum, profile.height_m, profile.points, profile.spacing_m,
-                                spectrum_window_for(SPECTRUM_WINDOW_AUTO, profile.periodic), &refused);
-    if (code == STATUS_OK)
-        code = power_law_scans_add(&out->scans, profile.height_m, profile.points, profile.spacing_m, profile.digit_m,
-                                   &refused);
-    if (code == STATUS_OK)
-        code = grid_average(&out->spectrum, &spectrum, out->spectrum_rows, &refused);
-    out->spectrum_rows += code == STATUS_OK;
+    if (profile_make(&profile, scan, y, &profile_defaults, &refused) == STATUS_OK &&
+        spectrum_compute(&spectrum, profile.height_m, profile.points, profile.spacing_m,
+                         spectrum_window_for(SPECTRUM_WINDOW_AUTO, profile.periodic), &refused) == STATUS_OK &&
+        power_law_scans_add(&out->scans, profile.height_m, profile.points, profile.spacing_m, profile.digit_m,
+                            &refused) == STATUS_OK &&
+        grid_average(&out->spectrum, &spectrum, out->spectrum_rows, &refused) == STATUS_OK)
+        out->spectrum_rows++;
     spectrum_free(&spectrum);
     profile_free(&profile);
-    return code == STATUS_MEMORY ? status_memory(status) : STATUS_OK;
+    return refused.code == STATUS_MEMORY ? status_memory(status) : STATUS_OK;
 }
 
 enum status_code areal_compute(struct areal *out, const struct scan *scan, struct status *status)
@@ -167,16 +164,14 @@ enum status_code areal_compute(struct areal *out, const struct scan *scan, struc
     if (!rows.x_m)
         return status_memory(status);
     rows.z_m = rows.x_m + scan->nx;
-    enum status_code code = STATUS_OK;
-    for (size_t y = 0; code == STATUS_OK && y < scan->ny; y++) {
-        code = add_row(&rows, scan, y, status);
-        if (code == STATUS_OK)
-            code = add_spectrum(out, scan, y, status);
-    }
+    for (size_t y = 0; status->code == STATUS_OK && y < scan->ny; y++)
+        if (add_row(&rows, scan, y, status) == STATUS_OK)
+            (void)add_spectrum(out, scan, y, status);
     free(rows.x_m);
-    if (code == STATUS_OK)
-        power_law_scans_end_file(&out->scans, out->spectrum_rows, true);
-    if (code == STATUS_OK && (rows.m2.count == 0 || rows.m4.count == 0))
+    if (status->code != STATUS_OK)
+        return status->code;
+    power_law_scans_end_file(&out->scans, out->spectrum_rows, true);
+    if (rows.m2.count == 0 || rows.m4.count == 0)
         return status_fail(status, STATUS_SCAN, "no row of the map has three heights side by side");
     out->rows = (struct roughness){.rq_m = sqrt(rows.m0.value),
                                    .ra_m = rows.ra.value,
@@ -186,7 +181,7 @@ enum status_code areal_compute(struct areal *out, const struct scan *scan, struc
                                    .m4_per_m2 = rows.m4.value,
                                    .cube_m3 = NAN,
                                    .fourth_m4 = NAN};
-    return code;
+    return STATUS_OK;
 }
 
 void areal_free(struct areal *areal)

@@ -33,12 +33,10 @@ enum status_code power_law_scans_add(struct power_law_scans *scans, const double
         return status_memory(status);
     scans->scan = more;
     struct spectrum own;
-    enum status_code rc = taper(&own, height_m, points, spacing_m, status);
-    if (rc == STATUS_OK)
-        rc = grid_average(&scans->mean, &own, scans->scan_count, status);
-    if (rc != STATUS_OK) {
+    if (taper(&own, height_m, points, spacing_m, status) != STATUS_OK ||
+        grid_average(&scans->mean, &own, scans->scan_count, status) != STATUS_OK) {
         spectrum_free(&own);
-        return rc;
+        return status->code;
     }
     scans->scan[scans->scan_count++] = (struct power_law_scan){own, scans->files};
     scans->step_m = fmax(scans->step_m, step_m);

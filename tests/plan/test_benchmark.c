@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The cost of accuracy: each model at its tolerances. Times are not tested. */
-#include "answers/curves.h"
+#include "answers/answers.h"
 #include "contact/multiscale.h"
 #include "plan/benchmark.h"
 #include "profile/synth.h"

@@ -3,7 +3,7 @@
  * two surfaces. What is told apart is a false verdict; with one half's heights stretched, a true one. */
 #include "validation/nulls.h"
 
-#include "answers/curves.h"
+#include "answers/answers.h"
 #include "direct/direct_surface.h"
 #include "directory.h"
 #include "members/surface_read.h"

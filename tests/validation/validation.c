@@ -3,7 +3,7 @@
  * these surfaces of nine height laws and three Hurst exponents are made by the program's own synthesis and solved; some
  * rows of each then go through the analysis as line scans, and every model's answer is held against the solution. Fails
  * where a number is beyond its bound. Minutes; hence no test. cmake --workflow --preset validation */
-#include "answers/curves.h"
+#include "answers/answers.h"
 #include "answers/direct_study.h"
 #include "direct/direct_quantities.h"
 #include "direct/direct_surface.h"
