@@ -17,18 +17,15 @@ static long bin_number(size_t n)
     return (long)floor(LOG_BIN_PER_DECADE * log10((double)n / MULTITAPER_FIRST) + 1e-9);
 }
 
-/** Last harmonic of the bin that begins at `first`: the estimate is too high by one or two. */
+/** Last harmonic of the bin that begins at `first`. */
 static size_t bin_last(size_t first, size_t count, const size_t split[2])
 {
-    long number = bin_number(first);
-    size_t last = (size_t)(MULTITAPER_FIRST * pow(10, (double)(number + 1) / LOG_BIN_PER_DECADE)) + 1;
-    while (last > first && bin_number(last) != number)
-        last--;
-    if (split && first < split[0] && last >= split[0])
-        last = split[0] - 1;
-    if (split && first >= split[0] && first <= split[1] && last > split[1])
-        last = split[1];
-    return last < count ? last : count;
+    const long number = bin_number(first);
+    size_t last = first;
+    while (last < count && bin_number(last + 1) == number &&
+           !(split && (last + 1 == split[0] || (last == split[1] && first >= split[0]))))
+        last++;
+    return last;
 }
 
 size_t log_bin_fill(struct log_bin bin[LOG_BIN_MOST], const double *amplitude_m, size_t count, double length_m,
