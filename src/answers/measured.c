@@ -219,10 +219,11 @@ struct answered {
     size_t *run, count, runs; /* those without a point are not counted */
 };
 
-/** Least squares of ln conductance over `by`, each run with its own level; a slope of NaN is fitted. Returns the
- * residual sum of squares, at least that of errors of 1e-9 in the logarithms. */
-static double residual(double *slope, double *spread, const double *by, const double *of, const struct answered *points)
+/** Least squares of `of` over ln load, each run with its own level. Returns the residual sum of squares, at least that
+ * of errors of 1e-9 in the logarithms. */
+static double residual(double *slope, double *spread, const double *of, const struct answered *points)
 {
+    const double *by = points->ln_load;
     const size_t *run = points->run, count = points->count;
     double xx = 0, xy = 0, yy = 0;
     for (size_t r = 0; r < points->runs; r++) {
@@ -240,7 +241,7 @@ static double residual(double *slope, double *spread, const double *by, const do
                 yy += (of[i] - y / n) * (of[i] - y / n);
             }
     }
-    *slope = isnan(*slope) ? xy / xx : *slope;
+    *slope = xy / xx;
     *spread = xx;
     return fmax(yy - 2 * *slope * xy + *slope * *slope * xx, 1e-18 * (double)count);
 }
@@ -278,10 +279,9 @@ static void find_exponent(struct measured_exponent *out, const struct answered *
     static const double clear = 0.08, as_well = 1.5;
     const double freedom = (double)(of->count - of->runs) - 1;
     double spread;
-    *out = (struct measured_exponent){.measured = NAN, .model = NAN};
-    const double least = residual(&out->measured, &spread, of->ln_load, of->ln_conductance, of);
+    const double least = residual(&out->measured, &spread, of->ln_conductance, of);
     out->sd = sqrt(least / freedom / spread);
-    residual(&out->model, &spread, of->ln_load, of->ln_model, of);
+    residual(&out->model, &spread, of->ln_model, of);
     const double error = interval_quantile(estimate_level, freedom) * out->sd;
     out->not_flat = out->measured + error + clear < out->model && series_residual(of) > as_well * least;
 }

@@ -273,30 +273,29 @@ enum status_code shaped_make(struct surface_record *record, size_t m, const stru
                              const struct model_task *task, struct status *status)
 {
     struct joint_task joint = surface_joint(record, asked->scene, asked->plan, task);
-    struct joint_shape *out;
     struct table *own = calloc(1, sizeof *own);
     struct cells *cells = calloc(1, sizeof *cells);
     struct status problem = {0};
     if (!record->shapes)
         record->shapes = calloc(model_count, sizeof *record->shapes);
-    enum status_code rc = own && cells && record->shapes ? STATUS_OK : status_memory(&problem);
+    struct joint_shape *out = record->shapes ? &record->shapes[m] : NULL;
     joint.shapes = NULL;
-    if (rc == STATUS_OK)
-        rc = own_curve(own, record, m, task, &joint, &problem);
-    if (rc == STATUS_OK) {
+    if (!own || !cells || !out) {
+        (void)status_memory(&problem);
+    } else if (own_curve(own, record, m, task, &joint, &problem) == STATUS_OK) {
         cells->hardness_Pa = model_rows[m]->plastic ? task->hardness_Pa : INFINITY;
-        if (lay_out(cells, &asked->scene->joint, own, task, &problem) != STATUS_OK)
-            rc = explain(NAN, &problem);
+        (void)(lay_out(cells, &asked->scene->joint, own, task, &problem) == STATUS_OK
+                   ? solve_loads(out, cells, task, &problem)
+                   : explain(NAN, &problem));
     }
-    out = record->shapes ? &record->shapes[m] : NULL;
-    if (rc == STATUS_OK)
-        rc = solve_loads(out, cells, task, &problem);
     if (cells)
         cells_free(cells);
     free(cells);
     free(own);
-    if (rc != STATUS_MODEL)
-        return rc == STATUS_OK ? rc : status_fail(status, rc, "%s", problem.message);
+    if (problem.code == STATUS_OK)
+        return STATUS_OK;
+    if (problem.code != STATUS_MODEL)
+        return status_fail(status, problem.code, "%s", problem.message);
     joint_shape_free(out);
     *out = (struct joint_shape){0};
     note_add(&record->summary.notes, NULL, "note.no_shape\nmodel %s\nwhy\t%s", model_rows[m]->label, problem.message);
