@@ -47,9 +47,9 @@ static enum status_code look_at_map(struct inspection *out, struct status *statu
     out->spacing_m = out->scan.dx_m;
     out->points = out->scan.nx * out->scan.ny;
     out->length_m = (double)(out->scan.nx - 1) * out->scan.dx_m;
-    if (out->areal.spectrum_rows < out->scan.ny)
+    if (out->areal.scans.scan_count < out->scan.ny)
         scan_warn(&out->scan, "%zu of %zu rows are in the spectrum; the others are flat or miss too many points",
-                  out->areal.spectrum_rows, out->scan.ny);
+                  out->areal.scans.scan_count, out->scan.ny);
     struct status ignored = {0};
     if (profile_make(&out->profile, &out->scan, out->scan.ny / 2, &profile_defaults, &ignored) != STATUS_OK)
         profile_free(&out->profile);

@@ -3,7 +3,6 @@
 
 #include "profile/profile.h"
 #include <math.h>
-#include <stddef.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -246,15 +245,6 @@ static enum status_code mean_of(double *mean, struct estimate *estimate, const s
     return STATUS_OK;
 }
 
-/** Mean of the number at byte `offset` of each struct model_curve. */
-static enum status_code mean_number(double *mean, struct estimate *estimate, const struct mean *of, size_t offset,
-                                    bool logarithmic, struct status *status)
-{
-    for (size_t r = 0; r < of->curves->count; r++)
-        memcpy(&of->curves->of[r].value, (const char *)&of->curves->curves[r] + offset, sizeof(double));
-    return mean_of(mean, estimate, of, logarithmic, status);
-}
-
 /** Point `at` of a curve; SIZE_MAX: full contact. */
 static const struct contact_point *point_of(const struct ensemble_curves *curves, size_t r, size_t at)
 {
@@ -398,11 +388,15 @@ static enum status_code mean_curve(struct model_curve *curve, struct ensemble_re
     const struct joint_task bare = {.pair = task->pair}, *joint = result->joint ? result->joint : &bare;
     const struct scans_reach reach = model_task_reach(task);
     double share = of->set->scan_count > 1 && model->uses_strip ? 0.5 : 1;
-    size_t full = offsetof(struct model_curve, full_load), beta = offsetof(struct model_curve, beta);
     estimates[QUANTITY_LOAD] = estimate_none;
     curve->exists = true;
-    if (mean_number(&curve->full_load, &result->estimates[CURVE_FULL_LOAD], of, full, true, status) != STATUS_OK ||
-        mean_number(&curve->beta, &result->estimates[CURVE_BETA], of, beta, false, status) != STATUS_OK ||
+    for (size_t r = 0; r < of->curves->count; r++)
+        of->curves->of[r].value = of->curves->curves[r].full_load;
+    if (mean_of(&curve->full_load, &result->estimates[CURVE_FULL_LOAD], of, true, status) != STATUS_OK)
+        return status->code;
+    for (size_t r = 0; r < of->curves->count; r++)
+        of->curves->of[r].value = of->curves->curves[r].beta;
+    if (mean_of(&curve->beta, &result->estimates[CURVE_BETA], of, false, status) != STATUS_OK ||
         mean_point(&curve->full, NULL, of, SIZE_MAX, status) != STATUS_OK)
         return status->code;
     curve->full.value[QUANTITY_LOAD] = curve->full_load;

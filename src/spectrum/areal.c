@@ -147,9 +147,8 @@ static enum status_code add_spectrum(struct areal *out, const struct scan *scan,
         spectrum_compute(&spectrum, profile.height_m, profile.points, profile.spacing_m,
                          spectrum_window_for(SPECTRUM_WINDOW_AUTO, profile.periodic), &refused) == STATUS_OK &&
         power_law_scans_add(&out->scans, profile.height_m, profile.points, profile.spacing_m, profile.digit_m,
-                            &refused) == STATUS_OK &&
-        grid_average(&out->spectrum, &spectrum, out->spectrum_rows, &refused) == STATUS_OK)
-        out->spectrum_rows++;
+                            &refused) == STATUS_OK)
+        (void)!grid_average(&out->spectrum, &spectrum, out->scans.scan_count - 1, &refused);
     spectrum_free(&spectrum);
     profile_free(&profile);
     return refused.code == STATUS_MEMORY ? status_memory(status) : STATUS_OK;
@@ -170,7 +169,7 @@ enum status_code areal_compute(struct areal *out, const struct scan *scan, struc
     free(rows.x_m);
     if (status->code != STATUS_OK)
         return status->code;
-    power_law_scans_end_file(&out->scans, out->spectrum_rows, true);
+    power_law_scans_end_file(&out->scans, out->scans.scan_count, true);
     if (rows.m2.count == 0 || rows.m4.count == 0)
         return status_fail(status, STATUS_SCAN, "no row of the map has three heights side by side");
     out->rows = (struct roughness){.rq_m = sqrt(rows.m0.value),

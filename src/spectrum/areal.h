@@ -19,8 +19,7 @@ struct areal {
     struct areal_parameters surface;
     struct roughness rows;    /* each row over its own line; m0, Ra, m2, m4 averaged over the rows, PV the largest */
     struct spectrum spectrum; /* mean power of the rows, as grid_average() joins them */
-    struct power_law_scans scans; /* the same rows, for the power law */
-    size_t spectrum_rows;         /* rows in it: not flat, at most a tenth missing (ends cut off, gaps bridged) */
+    struct power_law_scans scans; /* the same rows, not flat and at most a tenth missing (ends cut off, gaps bridged) */
 };
 
 /** Missing points are left out; a slope or curvature counts where none of its points is missing. Owned: areal_free(),

@@ -44,7 +44,7 @@ TEST_CASE(test_waves_on_a_plane)
     assert_near(areal.rows.rq_m, amplitude_m / sqrt(2), 1e-9);
     assert_near(areal.rows.m2, amplitude_m * amplitude_m / 2 * slope * slope, 1e-2);
     assert_near(areal.rows.m4_per_m2, amplitude_m * amplitude_m / 2 * curvature * curvature, 1e-2);
-    assert_int_equal(areal.spectrum_rows, NY);
+    assert_int_equal(areal.scans.scan_count, NY);
     assert_near(areal.spectrum.amplitude_m[9], windowed * amplitude_m, 1e-9);
     assert_within(areal.spectrum.amplitude_m[20], 0, 1e-15);
     areal_free(&areal);
@@ -84,7 +84,7 @@ TEST_CASE(test_missing_points_are_left_out)
     assert_near(areal.rows.rq_m, amplitude_m / sqrt(2), 0.02);
     assert_near(areal.rows.m2, amplitude_m * amplitude_m / 2 * slope * slope, 0.03);
     assert_near(areal.rows.m4_per_m2, amplitude_m * amplitude_m / 2 * curvature * curvature, 0.03);
-    assert_int_equal(areal.spectrum_rows, NY);
+    assert_int_equal(areal.scans.scan_count, NY);
     assert_near(areal.spectrum.amplitude_m[9], windowed * amplitude_m, 0.05);
     areal_free(&areal);
 }
@@ -98,7 +98,7 @@ TEST_CASE(test_rows_that_are_none)
         z[NX + i] = 0.07;
     }
     struct areal areal = compute(&scan);
-    assert_int_equal(areal.spectrum_rows, NY - 2);
+    assert_int_equal(areal.scans.scan_count, NY - 2);
     assert_near(areal.spectrum.amplitude_m[9], windowed * amplitude_m, 1e-9);
     assert_near(areal.rows.m0_m2, amplitude_m * amplitude_m / 2 * (NY - 2) / (NY - 1), 1e-6);
     areal_free(&areal);
