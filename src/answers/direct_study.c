@@ -83,15 +83,9 @@ static enum status_code find_rows(struct maker *maker, struct status *status)
         return STATUS_OK;
     }
     const struct direct_grid *grid = &maker->map.grid;
-    const struct strip_rows rows = {maker->map.height_m, grid->ny, grid->nx, grid->spacing_m, !grid->mirrored, NULL, 0};
-    size_t points;
-    double *joined_m = strip_join(&points, &rows);
-    if (!joined_m)
-        return status_memory(status);
-    enum status_code rc = STATUS_OK;
-    for (size_t row = 0, length = points / rows.rows; row < rows.rows && rc == STATUS_OK; row++)
-        rc = spectrum_add_record(&study->rows, row, joined_m + row * length, length, rows.spacing_m, status);
-    free(joined_m);
+    const struct scan map = {.nx = grid->nx, .ny = grid->ny, .dx_m = grid->spacing_m, .z_m = maker->map.height_m};
+    enum status_code rc =
+        tiles_spectrum_along(&study->rows, &map, direct_map_lines(grid->nx, grid->ny, false), grid->mirrored, status);
     study->rows.length_m /= surface_kappa(&maker->task->surface->summary);
     return rc;
 }

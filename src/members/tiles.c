@@ -116,10 +116,8 @@ static bool bridge(double *line_m, size_t points)
     return last < points;
 }
 
-/** Mean power of all lines of a map, each less the mean of the map, and continued as its mirror image unless the map is
- * periodic. */
-static enum status_code spectrum_along(struct spectrum *out, const struct scan *map, struct direct_map_lines lines,
-                                       bool mirrored, struct status *status)
+enum status_code tiles_spectrum_along(struct spectrum *out, const struct scan *map, struct direct_map_lines lines,
+                                      bool mirrored, struct status *status)
 {
     const size_t points = lines.points;
     double *line_m = malloc(2 * points * sizeof *line_m);
@@ -142,8 +140,8 @@ static enum status_code spectrum_along(struct spectrum *out, const struct scan *
 static enum status_code spectrum_of(struct spectrum *out, const struct scan *map, bool mirrored, struct status *status)
 {
     struct spectrum across = {0};
-    if (spectrum_along(out, map, direct_map_lines(map->nx, map->ny, false), mirrored, status) == STATUS_OK &&
-        spectrum_along(&across, map, direct_map_lines(map->nx, map->ny, true), mirrored, status) == STATUS_OK)
+    if (tiles_spectrum_along(out, map, direct_map_lines(map->nx, map->ny, false), mirrored, status) == STATUS_OK &&
+        tiles_spectrum_along(&across, map, direct_map_lines(map->nx, map->ny, true), mirrored, status) == STATUS_OK)
         (void)!grid_average(out, &across, 1, status);
     spectrum_free(&across);
     return status->code;

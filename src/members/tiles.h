@@ -40,6 +40,11 @@ extern const double tiles_budget;
 /** Reduces the squares to be solved until they cost at most `most`; false: even one costs more. */
 bool tiles_fit(struct tiles *tiles, bool capped, double most);
 
+/** Mean power of all these lines of a map of one spacing, its heights over their mean, each continued as its mirror
+ * image where wanted (as of maps that are not periodic). Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code tiles_spectrum_along(struct spectrum *out, const struct scan *map,
+                                                 struct direct_map_lines lines, bool mirrored, struct status *status);
+
 /** Solves the squares, elastic and with hardness H/E' (INFINITY: elastic only), and the parts from which their error is
  * found. Without a solution `transfer` is NULL and `problem` says why. The result does not depend on the number of
  * threads. Errors: STATUS_INTERRUPTED, STATUS_MEMORY. */
