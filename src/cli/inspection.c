@@ -81,7 +81,6 @@ static enum status_code compute_parameters(struct inspection *out, struct status
 static enum status_code fit_law(struct inspection *out, struct status *status)
 {
     bool map = out->scan.kind == SCAN_AREAL;
-    const struct power_law_scans_def def = {map ? 0 : out->options.lambda_s_m, NULL};
     const struct profile *profile = &out->profile;
     struct power_law_scans single = {0}, *scans = map ? &out->areal.scans : &single;
     struct spectrum own = {0};
@@ -94,7 +93,7 @@ static enum status_code fit_law(struct inspection *out, struct status *status)
         code = spectrum_compute(&own, profile->height_m, profile->points, profile->spacing_m,
                                 spectrum_window_for(SPECTRUM_WINDOW_AUTO, profile->periodic), status);
     if (code == STATUS_OK) {
-        power_law_scans_fit(&band, scans, &def);
+        power_law_scans_fit(&band, scans, map ? 0 : out->options.lambda_s_m, NULL);
         out->power_law = power_law_of_band(&band, map ? &out->areal.spectrum : &own);
     }
     spectrum_free(&own);

@@ -124,17 +124,16 @@ static void note_description(struct surface_summary *summary, const struct scene
     text_free(&models);
 }
 
-static struct power_law_scans_def fit_def(const struct surface_summary *summary, const struct scene *scene)
+/** The cut-off of the low-pass that the scans had. */
+static double cutoff_m(const struct surface_summary *summary, const struct scene *scene)
 {
-    return (struct power_law_scans_def){fmax(scene->lambda_s_m, summary->cutoff_m),
-                                        scene->fit_band_given ? scene->fit_band_m : NULL};
+    return fmax(scene->lambda_s_m, summary->cutoff_m);
 }
 
 /** Fits every scan's law in the band found for their mean. */
 static enum status_code fit_alone(struct surface_record *record, const struct power_law_scans *scans,
                                   const struct scene *scene, struct status *status)
 {
-    const struct power_law_scans_def def = fit_def(&record->summary, scene);
     struct repeats *repeats = &record->summary.repeats;
     size_t count = scans->scan_count;
     if (repeats->scans < 2)
@@ -145,7 +144,7 @@ static enum status_code fit_alone(struct surface_record *record, const struct po
     struct ensemble_value *psd_m3 = gamma + count;
     for (size_t i = 0; i < count; i++) {
         struct power_law_band alone;
-        power_law_scans_fit_alone(&alone, scans, i, &def, record->band);
+        power_law_scans_fit_alone(&alone, scans, i, cutoff_m(&record->summary, scene), record->band);
         struct power_law law = power_law_of_band(&alone, &record->typical);
         gamma[i] = (struct ensemble_value){law.gamma, scans->scan[i].file};
         psd_m3[i] = (struct ensemble_value){law.psd_m3, scans->scan[i].file};
@@ -165,13 +164,13 @@ static enum status_code describe(struct surface_record *record, struct power_law
 {
     struct surface_summary *summary = &record->summary;
     struct power_law *law = &summary->power_law;
-    const struct power_law_scans_def def = fit_def(summary, scene);
+    const double lambda_s_m = cutoff_m(summary, scene);
     struct status none = {0};
     double started = clock_seconds(), line_m[LOG_BIN_MOST];
     size_t lines = 0;
     summary->longest_waves = spectrum_longest_waves(&record->spectrum);
     summary->independent = fmax(1, scans->independent);
-    size_t known = spectrum_known(&record->spectrum, fmax(2 * def.lambda_s_m, scene->fit_band_m[0]), scans->step_m);
+    size_t known = spectrum_known(&record->spectrum, fmax(2 * lambda_s_m, scene->fit_band_m[0]), scans->step_m);
     summary->tail = convergence_tail(&record->spectrum, known);
     summary->line = power_law_fit(&record->typical, scene->fit_band_m);
     if (scene->fit == POWER_LAW_THESIS) {
@@ -179,7 +178,7 @@ static enum status_code describe(struct surface_record *record, struct power_law
     } else {
         if (!(record->band = malloc(sizeof *record->band)))
             return status_memory(status);
-        power_law_scans_fit(record->band, scans, &def);
+        power_law_scans_fit(record->band, scans, lambda_s_m, scene->fit_band_given ? scene->fit_band_m : NULL);
         *law = power_law_of_band(record->band, &record->typical);
         lines = power_law_band_lines(line_m, record->band);
         record->tapered = scans->mean;

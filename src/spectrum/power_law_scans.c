@@ -91,31 +91,30 @@ void power_law_scans_end_file(struct power_law_scans *scans, size_t used, bool r
 
 /** The law of one spectrum that is the mean of `independent` scans. */
 static void fit(struct power_law_band *out, const struct spectrum *spectrum, double independent, double step_m,
-                const struct power_law_scans_def *def)
+                double lambda_s_m, const double *band_m)
 {
     size_t known = spectrum_known(spectrum, 0, step_m);
     double shortest_m = known < spectrum->count ? spectrum->length_m / fmax(1, (double)known) : 0;
     const struct power_law_band_spectrum of = {spectrum->amplitude_m, spectrum->count, spectrum->length_m, independent,
-                                               fmax(2 * def->lambda_s_m, shortest_m)};
-    if (def->band_m)
-        power_law_band_fit_in(out, &of, def->band_m);
+                                               fmax(2 * lambda_s_m, shortest_m)};
+    if (band_m)
+        power_law_band_fit_in(out, &of, band_m);
     else
         power_law_band_find(out, &of);
 }
 
-void power_law_scans_fit(struct power_law_band *out, const struct power_law_scans *scans,
-                         const struct power_law_scans_def *def)
+void power_law_scans_fit(struct power_law_band *out, const struct power_law_scans *scans, double lambda_s_m,
+                         const double *band_m)
 {
     *out = (struct power_law_band){.law = POWER_LAW_BAND_NONE};
     if (scans->scan_count > 0)
-        fit(out, &scans->mean, fmax(1, scans->independent), scans->step_m, def);
+        fit(out, &scans->mean, fmax(1, scans->independent), scans->step_m, lambda_s_m, band_m);
 }
 
 void power_law_scans_fit_alone(struct power_law_band *out, const struct power_law_scans *scans, size_t i,
-                               const struct power_law_scans_def *def, const struct power_law_band *mean)
+                               double lambda_s_m, const struct power_law_band *mean)
 {
-    const struct power_law_scans_def there = {def->lambda_s_m, mean->fit.band_m};
-    fit(out, &scans->scan[i].spectrum, 1, scans->step_m, &there);
+    fit(out, &scans->scan[i].spectrum, 1, scans->step_m, lambda_s_m, mean->fit.band_m);
 }
 
 void power_law_scans_free(struct power_law_scans *scans)

@@ -32,20 +32,15 @@ MUST_CHECK enum status_code power_law_scans_add(struct power_law_scans *scans, c
  * logarithm of its power, in which every decade of wavelength has the same weight. */
 void power_law_scans_end_file(struct power_law_scans *scans, size_t used, bool rows);
 
-/** How a surface's law is looked for. */
-struct power_law_scans_def {
-    double lambda_s_m;    /* cut-off of the low-pass that was applied: waves below twice that are not used; 0: none */
-    const double *band_m; /* shortest and longest wavelength of the fit; NULL: found */
-};
-
-/** The law of the mean spectrum: power_law_band_find(), or power_law_band_fit_in() where the band is given. Class NONE
- * without a scan. */
-void power_law_scans_fit(struct power_law_band *out, const struct power_law_scans *scans,
-                         const struct power_law_scans_def *def);
+/** The law of the mean spectrum: power_law_band_find(), or power_law_band_fit_in() where band_m is not NULL. Waves
+ * below twice lambda_s_m, the cut-off of the low-pass that was applied (0: none), are not used. Class NONE without a
+ * scan. */
+void power_law_scans_fit(struct power_law_band *out, const struct power_law_scans *scans, double lambda_s_m,
+                         const double *band_m);
 
 /** The law of scan i alone in the band of `mean`, a law that was found. */
 void power_law_scans_fit_alone(struct power_law_band *out, const struct power_law_scans *scans, size_t i,
-                               const struct power_law_scans_def *def, const struct power_law_band *mean);
+                               double lambda_s_m, const struct power_law_band *mean);
 
 void power_law_scans_free(struct power_law_scans *scans);
 

@@ -353,7 +353,6 @@ static const int in_order[LAWS] = {0, 1, 2};
 static void find_laws(double gamma[LAWS], double log_psd[LAWS], const size_t points[LAWS])
 {
     struct power_law_scans own = {0};
-    const struct power_law_scans_def def = {0, NULL};
     struct power_law_band mean, alone;
     double height_m[2 * LAW_POINTS];
     for (int i = 0; i < LAWS; i++) {
@@ -361,11 +360,11 @@ static void find_laws(double gamma[LAWS], double log_psd[LAWS], const size_t poi
         expect_ok(power_law_scans_add, &own, height_m, points[i], 1e-6, 0);
         power_law_scans_end_file(&own, 1, false);
     }
-    power_law_scans_fit(&mean, &own, &def);
+    power_law_scans_fit(&mean, &own, 0, NULL);
     assert_int_equal(mean.law, POWER_LAW_BAND_LAW);
     assert_near(record->summary.power_law.gamma, mean.fit.gamma, 1e-6);
     for (int i = 0; i < LAWS; i++) {
-        power_law_scans_fit_alone(&alone, &own, (size_t)i, &def, &mean);
+        power_law_scans_fit_alone(&alone, &own, (size_t)i, 0, &mean);
         gamma[i] = alone.fit.gamma;
         log_psd[i] = log(alone.psd_m3);
         assert_within(gamma[i], made_gamma[i], 0.05);

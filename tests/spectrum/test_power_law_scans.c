@@ -33,8 +33,7 @@ static void add(struct power_law_scans *scans, const double *height_m, double st
 static struct power_law_band fit(const struct power_law_scans *scans, double lambda_s_m, const double *band_m)
 {
     struct power_law_band band;
-    const struct power_law_scans_def def = {lambda_s_m, band_m};
-    power_law_scans_fit(&band, scans, &def);
+    power_law_scans_fit(&band, scans, lambda_s_m, band_m);
     return band;
 }
 
@@ -70,9 +69,8 @@ TEST_CASE(test_powers_are_averaged)
     assert_near(two.bin[12].variance, one.bin[12].variance * 0.475, 0.03); /* psi'(10)/psi'(5) */
     assert_within(two.fit.gamma, 1.3, 3 * two.fit.gamma_s);
 
-    const struct power_law_scans_def def = {0, NULL};
     struct power_law_band alone; /* in the band of the mean, with the error of one */
-    power_law_scans_fit_alone(&alone, &scans, 1, &def, &two);
+    power_law_scans_fit_alone(&alone, &scans, 1, 0, &two);
     assert_near(alone.fit.band_m[0], two.fit.band_m[0], 1e-9);
     assert_near(alone.fit.band_m[1], two.fit.band_m[1], 1e-9);
     assert_true(alone.fit.gamma != two.fit.gamma && alone.fit.gamma_s > two.fit.gamma_s);
@@ -188,7 +186,6 @@ TEST_CASE(test_marks_are_in_the_interval_over_scans)
     gsl_rng *random = support_random();
     double *height_m = support_room(LONG * sizeof *height_m);
     struct fft_room room;
-    const struct power_law_scans_def def = {0, NULL};
     size_t holds = 0;
     assert_true(height_m && fft_room_make(&room, LONG));
     for (int k = 0; k < SURFACES; k++) {
@@ -203,7 +200,7 @@ TEST_CASE(test_marks_are_in_the_interval_over_scans)
         struct power_law_band band = fit(&scans, 0, NULL), alone;
         assert_int_not_equal(band.law, POWER_LAW_BAND_NONE);
         for (size_t i = 0; i < SCANS; i++) {
-            power_law_scans_fit_alone(&alone, &scans, i, &def, &band);
+            power_law_scans_fit_alone(&alone, &scans, i, 0, &band);
             own[i] = alone.fit.gamma;
         }
         expect_ok(interval_scans, &interval, own, NULL, SCANS, 0.95);

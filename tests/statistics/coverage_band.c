@@ -112,9 +112,8 @@ static double run(FILE *out, const struct kind *kind, size_t sets, gsl_rng *rand
             coverage_level(height, kind->points);
         double step = kind->step_from > 0 ? quantise(height, kind, &surface) : 0;
         struct power_law_scans scans = {0};
-        const struct power_law_scans_def def = {.lambda_s_m = kind->cut_off};
         expect_ok(power_law_scans_add, &scans, height, kind->points, 1, step);
-        power_law_scans_fit(band, &scans, &def);
+        power_law_scans_fit(band, &scans, kind->cut_off, NULL);
         power_law_scans_free(&scans);
         count(&tally, kind, &surface, band);
     }
