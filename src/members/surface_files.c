@@ -96,8 +96,10 @@ static enum status_code add_scans(const struct surface_scans *task, struct text 
     return added > 0 ? STATUS_OK : status_fail(status, refused.code, "%s", refused.message);
 }
 
-enum status_code surface_files_read_one(const struct surface_scans *task, const char *file, struct hash *hash,
-                                        struct status *status)
+/** Adds the scans of one file; of an archive with several, only those that cannot be used are left out. `hash` takes
+ * its bytes, and those of a file that belongs to it. */
+static enum status_code read_one(const struct surface_scans *task, const char *file, struct hash *hash,
+                                 struct status *status)
 {
     struct text bytes = {0};
     char *path = scene_file_path(task->scene, file);
@@ -167,7 +169,7 @@ enum status_code surface_files_read(const struct surface_scans *task, struct has
     enum status_code rc = file && refusal ? STATUS_OK : status_memory(status);
     for (size_t f = 0; f < count && rc == STATUS_OK; f++) {
         struct status problem = {0};
-        enum status_code own = surface_files_read_one(task, file[f].file, hash, &problem);
+        enum status_code own = read_one(task, file[f].file, hash, &problem);
         used += own == STATUS_OK;
         if (own == STATUS_MEMORY || own == STATUS_INTERRUPTED)
             rc = status_fail(status, own, "%s", problem.message);

@@ -25,15 +25,10 @@ struct surface_scans {
 };
 
 /** Adds every file of a surface, sorted by content, so that neither names nor the order in the scene matter. Copies are
- * left out and unusable scans refused, with a note. Errors: STATUS_SCAN with the first reason if no scan is left,
- * STATUS_MEMORY, STATUS_INTERRUPTED. */
+ * left out and unusable scans refused, with a note. `hash` takes all bytes. Errors: STATUS_SCAN with the first reason
+ * if no scan is left, STATUS_MEMORY, STATUS_INTERRUPTED. */
 MUST_CHECK enum status_code surface_files_read(const struct surface_scans *task, struct hash *hash,
                                                struct status *status);
-/** Adds the scans of one file; of an archive with several, only those that cannot be used are left out. `hash` takes
- * its bytes, and those of a file that belongs to it. Errors: STATUS_IO, STATUS_SCAN (one line with the file's name;
- * nothing was added), STATUS_MEMORY. */
-MUST_CHECK enum status_code surface_files_read_one(const struct surface_scans *task, const char *file,
-                                                   struct hash *hash, struct status *status);
 
 /** Adds a scan called `name`, its file and place in an archive: a profile, whose heights are taken over, or
  * every row of a map. Unusable rows (all missing, flat) are left out and counted. Errors: STATUS_SCAN if none is left

@@ -75,7 +75,7 @@ static void gather(char *name)
     struct copies apart = {0}; /* equal scans are no copies here */
     const struct surface_scans task = {record, &scans, &scene, &apart};
     record->summary.scene = &surface;
-    expect_ok(surface_files_read_one, &task, name, &hash);
+    expect_ok(surface_files_read, &task, &hash);
     record->summary.scene = NULL;
     copies_free(&apart);
 }
