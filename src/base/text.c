@@ -40,21 +40,17 @@ void text_add_bytes(struct text *text, const char *bytes, size_t length)
 
 void text_add(struct text *text, const char *format, ...)
 {
-    va_list args, again;
+    char *line;
+    va_list args;
     va_start(args, format);
-    va_copy(again, args);
-    size_t room = text_reserve(text, 200) ? text->capacity - text->length : 0; /* mostly enough: printed once */
-    int length = vsnprintf(room ? text->data + text->length : NULL, room, format, args);
+    int length = vasprintf(&line, format, args);
     va_end(args);
-    if (length >= 0 && text_reserve(text, (size_t)length)) {
-        if ((size_t)length >= room)
-            vsnprintf(text->data + text->length, (size_t)length + 1, format, again);
-        text->length += (size_t)length;
-    } else if (room) {
-        text->data[text->length] = '\0';
+    text->failed = text->failed || length < 0;
+    if (length >= 0) {
+        text_add_bytes(text, line, (size_t)length);
+        free(line);
     }
     status_lost |= text->failed;
-    va_end(again);
 }
 
 /* Characters that are invisible or change those around them: controls; soft hyphen; joiners and fillers; bidirectional
