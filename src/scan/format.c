@@ -125,6 +125,8 @@ const struct format format_rows[] = {
     {"SQLite database", FORMAT_OTHER, MAGIC("SQLite format 3")},
     /* what no other row knows */
     {"zip", FORMAT_PACKED, MAGIC("PK\3\4")},
+    {"dektak", FORMAT_SCAN, scan_text_read, MAGIC("Scan Parameters")}, /* Bruker: keys, titles with units, x and z */
+    {"hommel", FORMAT_SCAN, scan_text_read, MAGIC("X;Y;valid")},       /* x, z, 1 where the point is valid */
     {"text", FORMAT_SCAN, scan_text_read, .sniff = scan_text_sniff},
 };
 const size_t format_count = sizeof format_rows / sizeof *format_rows;
@@ -179,7 +181,7 @@ static const char *other_text(const struct scan_file *file, bool whole)
 struct format format_of(const struct scan_file *file, bool whole)
 {
     const struct format *row = format_rows, *end = format_rows + format_count;
-    bool binary = scan_is_binary(file);
+    bool binary = !scan_text_sniff(file);
     while (row < end && (file->length == 0 || !is_format(row, file, binary)))
         row++;
     struct format format = row < end ? *row : (struct format){.kind = FORMAT_UNKNOWN};

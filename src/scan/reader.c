@@ -252,7 +252,8 @@ enum status_code scan_take_text(struct scan *out, struct string_view text, doubl
     return STATUS_OK;
 }
 
-bool scan_is_binary(const struct scan_file *file)
+/* No NUL, nor control characters that no text has, in the first bytes. */
+bool scan_text_sniff(const struct scan_file *file)
 {
     enum { LOOKED_AT = 4096 };
     size_t length = file->length;
@@ -261,9 +262,9 @@ bool scan_is_binary(const struct scan_file *file)
     for (size_t i = 0; i < length && i < LOOKED_AT; i++) {
         unsigned char c = (unsigned char)file->bytes[i];
         if (c == '\0' || (c < 0x20 && !strchr("\t\n\v\f\r\x1a\x02\x03\x04", c)))
-            return true;
+            return false;
     }
-    return false;
+    return true;
 }
 
 size_t scan_disorder(const double *x, size_t stride, size_t n)

@@ -110,9 +110,6 @@ scan_reading scan_x3p_read, scan_mahr_prf_read, scan_sur_read, scan_al3d_read, s
     scan_gwy_read, scan_surfer_read, scan_mahr_text_read, scan_npl_prf_read, scan_smd_read, scan_nist_xml_read,
     scan_text_read, scan_wyko_read, scan_zygo_read;
 
-/** Are there NUL bytes, or control characters that no text has, in the first bytes? */
-bool scan_is_binary(const struct scan_file *file);
-
 /** Is there a row of numbers in this text? */
 bool scan_text_has_numbers(const struct scan_file *file);
 

@@ -29,19 +29,6 @@ struct table {
     const struct scan_file *file;
 };
 
-/* The name of the format, by how the file begins; else `other`. */
-static const char *name_of(const struct scan_file *file, const char *other)
-{
-    if (string_view_starts(scan_view(file), "Scan Parameters")) /* Bruker CSV: keys, titles with units, x and z */
-        return "dektak";
-    return string_view_starts(scan_view(file), "X;Y;valid") ? "hommel" : other; /* x, z, 1 where the point is valid */
-}
-
-bool scan_text_sniff(const struct scan_file *file)
-{
-    return name_of(file, NULL) || !scan_is_binary(file);
-}
-
 /* One row while it is read. */
 struct row {
     double *cell; /* room for `room` numbers, or NULL just to count */
@@ -804,7 +791,6 @@ static enum status_code take_table(struct scan *out, struct table *table)
 enum status_code scan_text_read(struct scan *out, const struct scan_file *file)
 {
     struct table table = {.file = file};
-    out->format = name_of(file, out->format);
     if (read_table(&table) == STATUS_OK && take_table(out, &table) == STATUS_OK) {
         mark_missing(out);
         if (table.others > 0)
