@@ -52,7 +52,7 @@ static enum status_code look_along(struct lines *out, const double *height_m, st
         bool periodic = record_window_is_periodic(line, points);
         struct levelling taken; /* a tilt is no slope of the surface's */
         enum spectrum_window window = spectrum_window_for(SPECTRUM_WINDOW_AUTO, periodic);
-        if (level_remove(&taken, line, points, 1, periodic ? LEVEL_MEAN : LEVEL_LINE, status) != STATUS_OK ||
+        if (level_remove(&taken, line, NULL, points, 1, periodic ? LEVEL_MEAN : LEVEL_LINE, status) != STATUS_OK ||
             spectrum_compute(&spectrum, line, points, 1, window, status) != STATUS_OK)
             continue;
         for (size_t i = 0; i < spectrum.count; i++) {

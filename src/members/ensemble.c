@@ -68,7 +68,7 @@ enum status_code member_of_record(struct member *out, struct fft_room *room, siz
     struct status none = {0};
     enum level level = how->periodic && how->periodic_mean ? LEVEL_MEAN : how->level;
     *out = (struct member){.points = points, .spacing_m = spacing_m, .periodic = how->periodic};
-    if (level_remove(&levelling, room->record, points, spacing_m, level, &none) == STATUS_MEMORY)
+    if (level_remove(&levelling, room->record, NULL, points, spacing_m, level, &none) == STATUS_MEMORY)
         return status_memory(status);
     if (how->keeps_heights) {
         if (!(out->height_m = malloc(points * sizeof *out->height_m)))

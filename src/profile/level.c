@@ -184,35 +184,22 @@ static enum status_code take_arc(struct levelling *out, const struct record *rec
     return STATUS_OK;
 }
 
-static enum status_code take_form(struct levelling *out, const struct record *record, double *height_m,
-                                  enum level level, struct status *status)
+enum status_code level_remove(struct levelling *out, double *height_m, const double *x_m, size_t points,
+                              double spacing_m, enum level level, struct status *status)
 {
+    double first_m = x_m ? x_m[0] : -(double)(points - 1) / 2 * spacing_m, last_m = x_m ? x_m[points - 1] : -first_m;
+    const struct record record = {x_m, points, (last_m + first_m) / 2, (last_m - first_m) / 2};
     *out = (struct levelling){.radius_m = INFINITY};
     if (level == LEVEL_NONE)
         return STATUS_OK;
     if (level == LEVEL_ROBUST)
-        return take_robust_line(out, record, height_m, status);
+        return take_robust_line(out, &record, height_m, status);
     if (level == LEVEL_CIRCLE)
-        return take_arc(out, record, height_m, status);
+        return take_arc(out, &record, height_m, status);
     int degree = level == LEVEL_MEAN ? 0 : level == LEVEL_LINE ? 1 : 2;
-    struct polynomial form = fit(record, height_m, NULL, degree);
-    take_out(record, height_m, &form);
+    struct polynomial form = fit(&record, height_m, NULL, degree);
+    take_out(&record, height_m, &form);
     if (degree > 0)
-        out->tilt = form.a[1] / record->half_m;
+        out->tilt = form.a[1] / record.half_m;
     return STATUS_OK;
-}
-
-enum status_code level_remove(struct levelling *out, double *height_m, size_t points, double spacing_m,
-                              enum level level, struct status *status)
-{
-    const struct record record = {NULL, points, 0, (double)(points - 1) / 2 * spacing_m};
-    return take_form(out, &record, height_m, level, status);
-}
-
-enum status_code level_remove_at(struct levelling *out, double *height_m, const double *x_m, size_t points,
-                                 enum level level, struct status *status)
-{
-    double first_m = x_m[0], last_m = x_m[points - 1];
-    const struct record record = {x_m, points, (last_m + first_m) / 2, (last_m - first_m) / 2};
-    return take_form(out, &record, height_m, level, status);
 }

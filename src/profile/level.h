@@ -25,16 +25,13 @@ struct levelling {
     size_t outliers; /* robust line: points that got no weight */
 };
 
-/** Takes mean, line, parabola, arc or robust line out of `points` heights, spacing_m apart.
- *  circle: the arc of curvature k, z = c + x (2 s + k x)/(cos a + cos b), sin a = s, sin b = s + k x, by GSL's
+/** Takes mean, line, parabola, arc or robust line out of `points` heights at x_m, which ascends (NULL: spacing_m
+ * apart). circle: the arc of curvature k, z = c + x (2 s + k x)/(cos a + cos b), sin a = s, sin b = s + k x, by GSL's
  *          Levenberg-Marquardt; the record must span less than half a circle.
  *  robust: iterated least squares with Tukey's biweight (tuning 4.685, scale 1.4826 MAD; Holland & Welsch 1977,
  *          doi:10.1080/03610927708827533). Points of weight 0 are outliers.
  * Errors: STATUS_SCAN (no arc fits), STATUS_MEMORY. */
-MUST_CHECK enum status_code level_remove(struct levelling *out, double *height_m, size_t points, double spacing_m,
-                                         enum level level, struct status *status);
-/** The same of heights at x_m, which ascend. */
-MUST_CHECK enum status_code level_remove_at(struct levelling *out, double *height_m, const double *x_m, size_t points,
-                                            enum level level, struct status *status);
+MUST_CHECK enum status_code level_remove(struct levelling *out, double *height_m, const double *x_m, size_t points,
+                                         double spacing_m, enum level level, struct status *status);
 
 #endif

@@ -265,9 +265,10 @@ static enum status_code take_level(struct profile *profile, const struct profile
     if (before_m < scan_least_m) /* a row of a map; a profile was refused as a scan */
         return status_fail(status, STATUS_SCAN, "the scan is flat: its heights differ by no more than %.3g m",
                            before_m);
-    if ((profile->measured_x_m && level_remove_at(&levelling, profile->measured_z_m, profile->measured_x_m,
-                                                  profile->points, options->level, status) != STATUS_OK) ||
-        level_remove(&levelling, profile->height_m, profile->points, profile->spacing_m, options->level, status) !=
+    const size_t points = profile->points;
+    if ((profile->measured_x_m && level_remove(&levelling, profile->measured_z_m, profile->measured_x_m, points, 0,
+                                               options->level, status) != STATUS_OK) ||
+        level_remove(&levelling, profile->height_m, NULL, points, profile->spacing_m, options->level, status) !=
             STATUS_OK)
         return status->code;
     if (peak_to_valley(profile) <= rounding_m)

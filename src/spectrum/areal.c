@@ -124,7 +124,7 @@ static enum status_code add_row(struct rows *rows, const struct scan *scan, size
         }
     if (count < ROW_POINTS)
         return STATUS_OK;
-    if (level_remove_at(&line, z_m, x_m, count, LEVEL_LINE, status) != STATUS_OK)
+    if (level_remove(&line, z_m, x_m, count, 0, LEVEL_LINE, status) != STATUS_OK)
         return status->code;
     for (size_t i = scan->nx; i-- > 0;) /* back to their places, last first */
         z_m[i] = isnan(row_m[i]) ? NAN : z_m[--count];

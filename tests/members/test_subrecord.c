@@ -59,7 +59,7 @@ TEST_CASE(a_subrecord_that_does_not_close)
     struct levelling levelling;
     struct spectrum expected;
     describe(3.25, &how);
-    expect_ok(level_remove, &levelling, height_m, POINTS, spacing_m, LEVEL_LINE);
+    expect_ok(level_remove, &levelling, height_m, NULL, POINTS, spacing_m, LEVEL_LINE);
     expect_ok(spectrum_compute, &expected, height_m, POINTS, spacing_m, SPECTRUM_WINDOW_HANN);
     for (size_t i = 0; i < expected.count; i++)
         assert_near(spectrum.amplitude_m[i], expected.amplitude_m[i], 1e-12);

@@ -8,10 +8,7 @@ enum { POINTS = 4001, ROUGH = 501 };
 static struct levelling level(double *z, const double *x, size_t points, double spacing_m, enum level how)
 {
     struct levelling levelling;
-    if (x)
-        expect_ok(level_remove_at, &levelling, z, x, points, how);
-    else
-        expect_ok(level_remove, &levelling, z, points, spacing_m, how);
+    expect_ok(level_remove, &levelling, z, x, points, spacing_m, how);
     return levelling;
 }
 
@@ -117,7 +114,7 @@ TEST_CASE(test_too_few_points_for_an_arc)
     struct levelling levelling;
     struct status status = {0};
     double z[] = {1e-6, 2e-6};
-    assert_int_equal(level_remove(&levelling, z, 2, 1e-6, LEVEL_CIRCLE, &status), STATUS_SCAN);
+    assert_int_equal(level_remove(&levelling, z, NULL, 2, 1e-6, LEVEL_CIRCLE, &status), STATUS_SCAN);
     assert_string_equal(status.message, "no arc fits 2 points; take a longer scan");
 }
 

@@ -46,7 +46,7 @@ static void assert_comes_back(const struct synth_def *def)
     if (def->rq_m > 0)
         assert_near(rq_m, def->rq_m, 1e-9);
     struct levelling line;
-    expect_ok(level_remove, &line, levelled_m, def->points, 1, LEVEL_LINE);
+    expect_ok(level_remove, &line, levelled_m, NULL, def->points, 1, LEVEL_LINE);
     for (size_t i = 0; i < def->points; i++)
         assert_within(levelled_m[i], height_m[i], 1e-12 * rq_m);
     spectrum_free(&spectrum);

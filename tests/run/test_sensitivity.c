@@ -34,7 +34,7 @@ static void run_scene(const struct directory *place, const char *in, const char 
 static void level(double *height_m, size_t points)
 {
     struct levelling levelling;
-    expect_ok(level_remove, &levelling, height_m, points, spacing_m, LEVEL_LINE);
+    expect_ok(level_remove, &levelling, height_m, NULL, points, spacing_m, LEVEL_LINE);
 }
 
 /** Value at the middle load of a model in a report of one surface; NaN: no row or an empty cell. */
