@@ -23,9 +23,9 @@ struct table {
     double *cell;                 /* rows x columns */
     size_t first_line, last_line; /* of the rows, from 1 */
     struct text_header header;
-    size_t other_line;        /* of the first comment header below the first row; 0: none */
-    struct string_view other; /* what it says */
-    size_t others;            /* blocks of rows below such headers, which are not read */
+    size_t other_line;       /* of the first comment header below the first row; 0: none */
+    struct scan_quote other; /* what it says */
+    size_t others;           /* blocks of rows below such headers, which are not read */
     const struct scan_file *file;
 };
 
@@ -199,7 +199,7 @@ static bool ends_block(struct table *table, struct string_view content, struct l
     bool comment;
     if (table->rows == 0 || table->other_line > 0 || !is_header(content))
         return false;
-    table->other = text_header_uncomment(content, &comment);
+    table->other = scan_quote(text_header_uncomment(content, &comment));
     table->other_line = lines.number;
     if (columns_below(lines, table->file) == 0)
         return false; /* a footer */
@@ -797,7 +797,7 @@ enum status_code scan_text_read(struct scan *out, const struct scan_file *file)
             scan_warn(out,
                       "%zu more block%s of rows, the first below line %zu, '%s': only the first of the file was read; "
                       "save the one you mean as a file of its own",
-                      table.others, table.others == 1 ? "" : "s", table.other_line, scan_quote(table.other).text);
+                      table.others, table.others == 1 ? "" : "s", table.other_line, table.other.text);
     }
     free(table.cell);
     return file->status->code;

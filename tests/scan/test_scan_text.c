@@ -463,6 +463,22 @@ TEST_CASE(test_a_spent_text_is_freed)
     }
 }
 
+/* The header of another block is quoted although its text is freed by then. */
+TEST_CASE(test_a_block_of_a_spent_text_is_named)
+{
+    struct text *text = support_text();
+    struct status status = {0};
+    struct scan scan;
+    text_add(text, "x [um],z [um]\n");
+    for (int i = 0; i < 1000; i++)
+        text_add(text, "%s%d,%d\n", i == 900 ? "# trace: 2\n" : "", i, i % 7);
+    const struct scan_bytes file = {text_string(text), text->length, "spent"};
+    assert_int_equal(scan_read_bytes(&scan, &file, &(struct scan_options){.spent = text}, &status), STATUS_OK);
+    assert_null(text->data);
+    assert_non_null(strstr(scan.warnings[0], "'trace: 2'"));
+    scan_free(&scan);
+}
+
 /* A height that is repeated far from all others was not measured; a single spike, a step and usual heights of 9999
  * were.
  */
