@@ -1,16 +1,31 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Rough times of the parts of a report on one core of 2020: for plans, budgets, and what is too dear to solve. */
+/* Rough times of the parts of a report on one core of 2020: for plans, budgets, and what is too dear to solve.
+ * Processor time of `report -v -j 1 --no-cost -m tin`, measured beside other work; but profile_point_s is of 10^7
+ * points on a quiet machine, 16 s. Measure again where a solver changes. */
 #ifndef BASE_COSTS_H
 #define BASE_COSTS_H
 
-struct costs {
-    double report_s, surface_s, profile_point_s, map_point_s, load_s; /* a load of a model */
-    double transform_s;                                               /* a point of a strip, there and back */
-    double map_transforms_elastic, map_transforms; /* of a map's square, and those of a hardness besides, as strips' */
-    double map_power;                              /* of points a side that these grow as */
-    double record_s, record_point_s;               /* of simulated records */
-    double direct_s, direct_power; /* a load of 256 x 256 points solved, and how it grows with the points a side */
+static const struct {
+    double report_s, surface_s, profile_point_s, map_point_s, load_s, transform_s, map_transforms_elastic,
+        map_transforms, map_power, record_s, record_point_s, direct_s, direct_power;
+} costs = {
+    .report_s = 0.25,           /* a scan of 1000 points, gnuplot's too */
+    .surface_s = 1e-3,          /* 100 surfaces of 1000 points less one, without strips */
+    .profile_point_s = 1.15e-6, /* 10^7 points less 10^6, whose strips are as long: reading, spectra, tables */
+    .map_point_s = 0.4e-6,      /* `plan` of 1024 x 1024 points */
+    .load_s = 3e-6,             /* a load of a model: 10 000 loads less 1000 */
+    .transform_s = 12e-9,       /* a point of a strip, there and back: stage `strips` of 10^4 and 10^5 points, over the
+                                   evaluations of `area` */
+    /* transforms of a map's square, and those of a hardness besides: squares of 64 to 512 points a side take 270
+     * side^(1/3) pairs of them, 125 without a hardness; the stage `direct of maps` takes 1.6 transform_s for each of
+     * their points */
+    .map_transforms_elastic = 200,
+    .map_transforms = 232,
+    .map_power = 1. / 3, /* of points a side that these grow as */
+    .record_s = 1.3e-3,  /* a simulated record: stage `uncertainty` without strips, of 1000 and of 16 000 points */
+    .record_point_s = 0.25e-6,
+    .direct_s = 0.020,    /* a load of 256 x 256 points solved: 0.009 to 0.022 on three surfaces, 64 ... 1024 a side */
+    .direct_power = 2.15, /* how it grows with the points a side */
 };
-extern const struct costs costs;
 
 #endif
