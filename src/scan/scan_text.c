@@ -430,25 +430,22 @@ static void mark_missing(struct scan *out)
 }
 
 /* Takes the heights of column out->z_column from row `first` on, and the positions of out->x_column if there is one.
- * The heights stay in the table's memory. Points with 0 in the header's column `valid` are missing. */
-static enum status_code take_columns(struct scan *out, struct table *table, size_t first, double x_m, double z_m)
+ * Points with 0 in the header's column `valid` are missing. */
+static enum status_code take_columns(struct scan *out, const struct table *table, size_t first, double x_m, double z_m)
 {
     size_t n = table->rows - first, columns = table->columns, valid = table->header.valid;
     struct text *spent = table->file->options->spent;
     if (spent && spent->data == table->file->bytes && !out->units_lacking) /* else a sidecar may make it read again */
         text_free(spent);
-    if (out->x_column > 0 && !(out->x_m = malloc(n * sizeof *out->x_m)))
-        return status_memory(table->file->status);
+    if ((out->x_column > 0 ? scan_reserve_x(out, n, n, table->file) : scan_reserve(out, n, 1, n, table->file)) !=
+        STATUS_OK)
+        return table->file->status->code;
     for (size_t i = 0; i < n; i++) {
         const double *row = table->cell + (first + i) * columns;
         if (out->x_m)
             out->x_m[i] = row[out->x_column - 1] * x_m;
-        table->cell[i] = valid >= columns || row[valid] != 0 ? row[out->z_column - 1] * z_m : NAN;
+        out->z_m[i] = valid >= columns || row[valid] != 0 ? row[out->z_column - 1] * z_m : NAN;
     }
-    double *fitted = realloc(table->cell, n * sizeof *fitted);
-    out->z_m = fitted ? fitted : table->cell;
-    out->nx = n;
-    table->cell = NULL;
     return STATUS_OK;
 }
 
