@@ -144,36 +144,36 @@ void scan_set_units(struct scan *out, const char *x_unit, const char *z_unit)
     snprintf(out->z_unit, sizeof out->z_unit, "%s", z_unit);
 }
 
-enum status_code scan_check_points(size_t nx, size_t ny, const struct scan_file *file)
+enum status_code scan_check_points(double nx, double ny, const struct scan_file *file)
 {
-    if (nx == 0 || ny == 0)
-        return scan_fail(file, 0, "the header says %zu x %zu points: nothing measured", nx, ny);
-    if (ny > limit_most(LIMIT_POINTS) / nx)
-        return scan_fail(file, 0, "%zu x %zu points%s", nx, ny, limit_words(LIMIT_POINTS).text);
+    if (!(nx >= 1 && ny >= 1 && nx == floor(nx) && ny == floor(ny)))
+        return scan_fail(file, 0, "the header says %.15g x %.15g points: nothing measured", nx, ny);
+    if (nx * ny > (double)limit_most(LIMIT_POINTS))
+        return scan_fail(file, 0, "%.15g x %.15g points%s", nx, ny, limit_words(LIMIT_POINTS).text);
     return STATUS_OK;
 }
 
-enum status_code scan_reserve(struct scan *out, size_t nx, size_t ny, size_t room, const struct scan_file *file)
+enum status_code scan_reserve(struct scan *out, double nx, double ny, size_t room, const struct scan_file *file)
 {
-    if (nx > 0 && ny > room / nx)
-        return scan_fail(file, 0, "the header says %zu x %zu points, the file ends after %zu; copy it again", nx, ny,
-                         room);
+    if (nx * ny > (double)room)
+        return scan_fail(file, 0, "the header says %.15g x %.15g points, the file ends after %zu; copy it again", nx,
+                         ny, room);
     if (scan_check_points(nx, ny, file) != STATUS_OK)
         return file->status->code;
-    out->z_m = malloc(nx * ny * sizeof *out->z_m);
+    out->nx = (size_t)nx;
+    out->ny = (size_t)ny;
+    out->z_m = malloc(out->nx * out->ny * sizeof *out->z_m);
     if (!out->z_m)
         return status_memory(file->status);
-    out->nx = nx;
-    out->ny = ny;
     out->kind = ny > 1 ? SCAN_AREAL : SCAN_PROFILE;
     return STATUS_OK;
 }
 
-enum status_code scan_reserve_x(struct scan *out, size_t n, size_t room, const struct scan_file *file)
+enum status_code scan_reserve_x(struct scan *out, double n, size_t room, const struct scan_file *file)
 {
     if (scan_reserve(out, n, 1, room, file) != STATUS_OK)
         return file->status->code;
-    out->x_m = malloc(n * sizeof *out->x_m);
+    out->x_m = malloc(out->nx * sizeof *out->x_m);
     return out->x_m ? STATUS_OK : status_memory(file->status);
 }
 
@@ -189,7 +189,7 @@ enum status_code scan_take_key(const struct scan_key *keys, struct string_view l
         return STATUS_OK;
     if (keys->unit)
         scan_copy(keys->unit, SCAN_UNIT_SIZE, value);
-    else if (!(keys->count ? number_read_size(value, keys->count) : number_read(value, keys->number)))
+    else if (!number_read(value, keys->number))
         return scan_fail(file, line_number, "%s = '%s' is no number it can have", keys->key, scan_quote(value).text);
     return STATUS_OK;
 }
@@ -227,11 +227,11 @@ bool scan_is_missing(struct string_view cell)
     return (cell.end > cell.start && at == cell.end) || string_view_is_one_of(cell, "NaN BAD");
 }
 
-enum status_code scan_take_text(struct scan *out, struct string_view text, double z_m, double blank, const char *end,
-                                const struct scan_file *file)
+enum status_code scan_take_text(struct scan *out, double nx, double ny, struct string_view text, double z_m,
+                                double blank, const char *end, const struct scan_file *file)
 {
     struct string_view word;
-    if (scan_reserve(out, out->nx, out->ny, (string_view_length(text) + 1) / 2, file) != STATUS_OK)
+    if (scan_reserve(out, nx, ny, (string_view_length(text) + 1) / 2, file) != STATUS_OK)
         return file->status->code;
     for (size_t i = 0; i < out->nx * out->ny; i++) {
         double value;

@@ -57,19 +57,19 @@ void scan_set_units(struct scan *out, const char *x_unit, const char *z_unit);
 /** Warns of units of the scene that are not used because the file or its sidecar names others. */
 void scan_warn_units(struct scan *out, const struct scan_file *file);
 
-/** Are ny rows of nx points within LIMIT_POINTS? To be asked before anything is unpacked. Error: STATUS_SCAN. */
-MUST_CHECK enum status_code scan_check_points(size_t nx, size_t ny, const struct scan_file *file);
+/** Are these, as a header says them, ny rows of nx points and within LIMIT_POINTS? To be asked before anything is
+ * unpacked. Error: STATUS_SCAN. */
+MUST_CHECK enum status_code scan_check_points(double nx, double ny, const struct scan_file *file);
 /** Memory for ny rows of nx heights, which the caller fills; ny > 1: a map. `room` is how many points the remaining
  * bytes can hold: a header that claims more, or more than LIMIT_POINTS, is refused before anything is allocated. */
-MUST_CHECK enum status_code scan_reserve(struct scan *out, size_t nx, size_t ny, size_t room,
+MUST_CHECK enum status_code scan_reserve(struct scan *out, double nx, double ny, size_t room,
                                          const struct scan_file *file);
 /** The same for a profile of n points with positions. */
-MUST_CHECK enum status_code scan_reserve_x(struct scan *out, size_t n, size_t room, const struct scan_file *file);
+MUST_CHECK enum status_code scan_reserve_x(struct scan *out, double n, size_t room, const struct scan_file *file);
 
-/** A key of a header, and where its value goes: one of the three (a unit has SCAN_UNIT_SIZE bytes). */
+/** A key of a header, and where its value goes: one of the two (a unit has SCAN_UNIT_SIZE bytes). */
 struct scan_key {
     const char *key;
-    size_t *count;
     double *number;
     char *unit;
 };
@@ -80,11 +80,11 @@ MUST_CHECK enum status_code scan_take_key(const struct scan_key *keys, struct st
 /** Is `cell` what instruments write where they measured nothing: BAD, NaN or stars? */
 bool scan_is_missing(struct string_view cell);
 
-/** scan_reserve() of out->nx times out->ny points, filled with the numbers of `text` times z_m; those from `blank` on
+/** scan_reserve() of ny rows of nx points, filled with the numbers of `text` times z_m; those from `blank` on
  * are missing points, as is what scan_is_missing() says. Behind the last stands nothing, or what begins with `end`
  * (NULL: nothing). Error: STATUS_SCAN with the line: too few or too many, or no number. */
-MUST_CHECK enum status_code scan_take_text(struct scan *out, struct string_view text, double z_m, double blank,
-                                           const char *end, const struct scan_file *file);
+MUST_CHECK enum status_code scan_take_text(struct scan *out, double nx, double ny, struct string_view text, double z_m,
+                                           double blank, const char *end, const struct scan_file *file);
 
 /** Cuts the next word, between blanks or line ends, off `text`; false when nothing is left. */
 bool scan_word(struct string_view *text, struct string_view *word);

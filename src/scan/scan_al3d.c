@@ -28,13 +28,13 @@ enum status_code scan_al3d_read(struct scan *out, const struct scan_file *file)
             if (string_view_equals(key, keys[i].key))
                 (void)number_read(value, keys[i].number); /* else it stays 0, which is refused below */
     }
-    if (!(cols >= 1 && cols <= UINT32_MAX && rows >= 1 && rows <= UINT32_MAX))
-        return scan_fail(file, 0, "no numbers of points in the tags Cols and Rows");
+    if (scan_check_points(cols, rows, file) != STATUS_OK)
+        return file->status->code;
     if (!(offset >= AL3D_MAGIC && offset <= (double)file->length))
         return scan_fail(file, 0, "no depth image in the file (DepthImageOffset); export the scan with it");
     size_t nx = (size_t)cols, ny = (size_t)rows, stride = (nx * sizeof(float) + 7) / 8 * 8;
     bytes = bytes_begin(file, (size_t)offset);
-    if (scan_reserve(out, nx, ny, bytes_left(&bytes) / stride * nx, file) != STATUS_OK)
+    if (scan_reserve(out, cols, rows, bytes_left(&bytes) / stride * nx, file) != STATUS_OK)
         return file->status->code;
     for (size_t row = 0; row < ny; row++) {
         for (size_t i = 0; i < nx; i++) {

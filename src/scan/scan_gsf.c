@@ -7,11 +7,10 @@
 
 enum status_code scan_gsf_read(struct scan *out, const struct scan_file *file)
 {
-    size_t nx = 0, ny = 0;
-    double width = 0, height = 0, x_m, z_m;
+    double nx = 0, ny = 0, width = 0, height = 0, x_m, z_m;
     char xy_unit[SCAN_UNIT_SIZE] = "", z_unit[SCAN_UNIT_SIZE] = "";
-    const struct scan_key keys[] = {{"XRes", .count = &nx},
-                                    {"YRes", .count = &ny},
+    const struct scan_key keys[] = {{"XRes", .number = &nx},
+                                    {"YRes", .number = &ny},
                                     {"XReal", .number = &width},
                                     {"YReal", .number = &height},
                                     {"XYUnits", .unit = xy_unit},
@@ -30,9 +29,9 @@ enum status_code scan_gsf_read(struct scan *out, const struct scan_file *file)
     struct bytes bytes = bytes_begin(file, length + 4 - length % 4);
     if (scan_reserve(out, nx, ny, bytes_left(&bytes) / sizeof(float), file) != STATUS_OK)
         return file->status->code;
-    for (size_t i = 0; i < nx * ny; i++)
+    for (size_t i = 0; i < out->nx * out->ny; i++)
         out->z_m[i] = bytes_number(&bytes, BYTES_F32) * z_m;
-    out->dx_m = width / (double)nx * x_m;
-    out->dy_m = height / (double)ny * x_m;
+    out->dx_m = width / nx * x_m;
+    out->dy_m = height / ny * x_m;
     return STATUS_OK;
 }

@@ -187,7 +187,7 @@ enum status_code scan_gwy_read(struct scan *out, const struct scan_file *file)
     double x_m, z_m;
     if (find_fields(&found, file) != STATUS_OK ||
         scan_units(out, map->xy_unit, map->z_unit, &x_m, &z_m, file) != STATUS_OK ||
-        scan_reserve(out, (size_t)map->nx, (size_t)map->ny, map->count, file) != STATUS_OK)
+        scan_reserve(out, map->nx, map->ny, map->count, file) != STATUS_OK)
         return file->status->code;
     for (size_t i = 0; i < map->count; i++)
         out->z_m[i] = bytes_number(&map->data, BYTES_F64) * z_m;

@@ -87,11 +87,11 @@ static bool has_key(struct string_view line, const char *key, struct string_view
 enum status_code scan_mahr_text_read(struct scan *out, const struct scan_file *file)
 {
     static const char *const margins[2] = {"PRETRAV_LIN=", "POSTTRAV_LIN="};
-    size_t n = 0;
+    double n = 0;
     struct lines lines = lines_begin(scan_view(file));
     for (struct string_view line, value; lines_next(&lines, &line);) {
         line = string_view_trim(line);
-        if (has_key(line, "NO_POINTS=", &value) && !number_read_size(value, &n))
+        if (has_key(line, "NO_POINTS=", &value) && !number_read(value, &n))
             return scan_fail(file, lines.number, "NO_POINTS is no number of points");
         for (size_t end = 0; end < 2; end++)
             if (has_key(line, margins[end], &value) &&
@@ -116,17 +116,17 @@ enum { MAHR_COUNT_AT = 0x14, MAHR_DATA_BEHIND = 49 };
 enum status_code scan_mahr_prf_read(struct scan *out, const struct scan_file *file)
 {
     struct bytes count = bytes_begin(file, MAHR_COUNT_AT);
-    size_t n = (size_t)bytes_number(&count, BYTES_U32);
+    double n = bytes_number(&count, BYTES_U32);
     const char *found = memmem(file->bytes, file->length, trajectory, strlen(trajectory));
     if (count.overrun || !found)
         return scan_fail(file, 0, "no %s section: the file is cut off; export it again", trajectory);
     struct bytes bytes = bytes_begin(file, (size_t)(found - file->bytes) + MAHR_DATA_BEHIND);
     if (scan_reserve_x(out, n, bytes_left(&bytes) / (3 * sizeof(double)), file) != STATUS_OK)
         return file->status->code;
-    for (size_t i = 0; i < n; i++)
+    for (size_t i = 0; i < out->nx; i++)
         out->x_m[i] = bytes_number(&bytes, BYTES_F64) * mahr_unit_m;
-    bytes_skip(&bytes, n * sizeof(double)); /* y, across the profile */
-    for (size_t i = 0; i < n; i++)
+    bytes_skip(&bytes, out->nx * sizeof(double)); /* y, across the profile */
+    for (size_t i = 0; i < out->nx; i++)
         out->z_m[i] = bytes_number(&bytes, BYTES_F64) * mahr_unit_m;
     scan_set_units(out, "mm", "mm");
     return STATUS_OK;

@@ -55,15 +55,15 @@ enum status_code scan_nist_xml_read(struct scan *out, const struct scan_file *fi
     if (word.start == word.end)
         return scan_fail(file, 0, "no heights in <DATA_POINT_VALUES>");
     data.start = word.start;
-    double spacing, x_m, z_m;
-    if (!number_read_size(element(text, "NUMPOINTS"), &out->nx))
+    double points, spacing, x_m, z_m;
+    if (!number_read(element(text, "NUMPOINTS"), &points))
         return scan_fail(file, 0, "no number of points in <NUMPOINTS>");
     if (!number_read(element(text, "SPACING"), &spacing))
         return scan_fail(file, 0, "no spacing in <SPACING>");
     char unit[SCAN_UNIT_SIZE];
     scan_copy(unit, sizeof unit, element(text, "UNITS"));
     if (scan_units(out, unit, unit, &x_m, &z_m, file) != STATUS_OK ||
-        scan_take_text(out, data, z_m, INFINITY, NULL, file) != STATUS_OK)
+        scan_take_text(out, points, 1, data, z_m, INFINITY, NULL, file) != STATUS_OK)
         return file->status->code;
     out->dx_m = spacing * x_m;
     return STATUS_OK;

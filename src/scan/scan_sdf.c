@@ -9,8 +9,7 @@ static const char *const sdf_versions[] = {"ISO-", "BCR-", "BCR - ", "NPL-"};
 enum { SDF_BINARY_HEADER = 81, SDF_OLYMPUS_EXTRA = 8 };
 
 struct sdf_header {
-    size_t nx, ny, compression, type;
-    double x_scale, y_scale, z_scale;
+    double nx, ny, compression, type, x_scale, y_scale, z_scale;
 };
 
 bool scan_sdf_sniff(const struct scan_file *file)
@@ -27,7 +26,7 @@ bool scan_sdf_sniff(const struct scan_file *file)
 static enum status_code check_header(struct scan *out, const struct sdf_header *header, const struct scan_file *file)
 {
     if (header->compression != 0)
-        return scan_fail(file, 0, "compressed SDF (Compression = %zu) cannot be read; export it uncompressed",
+        return scan_fail(file, 0, "compressed SDF (Compression = %.0f) cannot be read; export it uncompressed",
                          header->compression);
     if (!isfinite(header->z_scale) || header->z_scale == 0)
         return scan_fail(file, 0, "a Zscale of %g gives no heights", header->z_scale);
@@ -40,9 +39,9 @@ static enum status_code check_header(struct scan *out, const struct sdf_header *
 static enum status_code read_text(struct scan *out, const struct scan_file *file)
 {
     struct sdf_header header = {0};
-    const struct scan_key keys[] = {{"NumPoints", .count = &out->nx},
-                                    {"NumProfiles", .count = &out->ny},
-                                    {"Compression", .count = &header.compression},
+    const struct scan_key keys[] = {{"NumPoints", .number = &header.nx},
+                                    {"NumProfiles", .number = &header.ny},
+                                    {"Compression", .number = &header.compression},
                                     {"Xscale", .number = &header.x_scale},
                                     {"Yscale", .number = &header.y_scale},
                                     {"Zscale", .number = &header.z_scale},
@@ -50,7 +49,6 @@ static enum status_code read_text(struct scan *out, const struct scan_file *file
     struct lines lines = lines_begin(scan_view(file));
     struct string_view line;
     bool star = false;
-    out->nx = out->ny = 0;
     lines_next(&lines, &line); /* the version */
     while (!star && lines_next(&lines, &line)) {
         star = string_view_equals(string_view_trim(line), "*");
@@ -61,7 +59,8 @@ static enum status_code read_text(struct scan *out, const struct scan_file *file
         return scan_fail(file, lines.number, "no line `*` between header and heights");
     if (check_header(out, &header, file) != STATUS_OK)
         return file->status->code;
-    return scan_take_text(out, (struct string_view){lines.next, lines.end}, header.z_scale, INFINITY, "*", file);
+    return scan_take_text(out, header.nx, header.ny, (struct string_view){lines.next, lines.end}, header.z_scale,
+                          INFINITY, "*", file);
 }
 
 static enum status_code read_binary(struct scan *out, const struct scan_file *file)
@@ -70,25 +69,25 @@ static enum status_code read_binary(struct scan *out, const struct scan_file *fi
     static const double missing[BYTES_COUNT] = {NAN, UINT16_MAX, UINT32_MAX, NAN, NAN, INT16_MIN, INT32_MIN, NAN};
     struct bytes bytes = bytes_begin(file, 8 + 10 + 12 + 12); /* version, maker, two dates */
     struct sdf_header header = {0};
-    header.nx = (size_t)bytes_number(&bytes, BYTES_U16);
-    header.ny = (size_t)bytes_number(&bytes, BYTES_U16);
+    header.nx = bytes_number(&bytes, BYTES_U16);
+    header.ny = bytes_number(&bytes, BYTES_U16);
     header.x_scale = bytes_number(&bytes, BYTES_F64);
     header.y_scale = bytes_number(&bytes, BYTES_F64);
     header.z_scale = bytes_number(&bytes, BYTES_F64);
     bytes_skip(&bytes, 8); /* resolution */
-    header.compression = (size_t)bytes_number(&bytes, BYTES_U8);
-    header.type = (size_t)bytes_number(&bytes, BYTES_U8);
+    header.compression = bytes_number(&bytes, BYTES_U8);
+    header.type = bytes_number(&bytes, BYTES_U8);
     bytes_skip(&bytes, 1); /* kind of check sum */
     if (bytes.overrun)
         return scan_fail(file, 0, "the file ends within its header of %d bytes", SDF_BINARY_HEADER);
     if (header.type >= BYTES_COUNT)
-        return scan_fail(file, 0, "data type %zu is none of ISO 25178-71", header.type);
+        return scan_fail(file, 0, "data type %.0f is none of ISO 25178-71", header.type);
     enum bytes_type type = (enum bytes_type)header.type;
     if (check_header(out, &header, file) != STATUS_OK ||
         scan_reserve(out, header.nx, header.ny, bytes_left(&bytes) / bytes_size(type), file) != STATUS_OK)
         return file->status->code;
     /* Olympus writes 8 bytes more between header and heights */
-    size_t points = header.nx * header.ny;
+    size_t points = out->nx * out->ny;
     if (bytes_left(&bytes) == points * bytes_size(type) + SDF_OLYMPUS_EXTRA)
         bytes_skip(&bytes, SDF_OLYMPUS_EXTRA);
     for (size_t i = 0; i < points; i++) {

@@ -29,8 +29,7 @@ static bool read_axis(struct axis *axis, struct string_view line)
         return false;
     axis->type = *word[0].start;
     axis->unit = scan_unit_find(word[2]);
-    return number_read(word[1], &axis->n) && axis->n >= 1 && axis->n < 1.8e19 && axis->unit.si > 0 &&
-           number_read(word[3], &axis->scale) &&
+    return number_read(word[1], &axis->n) && axis->unit.si > 0 && number_read(word[3], &axis->scale) &&
            (axis->type != 'I' || (count == 6 && number_read(word[5], &axis->increment)));
 }
 
@@ -82,9 +81,8 @@ enum status_code scan_smd_read(struct scan *out, const struct scan_file *file)
     struct string_view heights = next_record(&rest);
     if (read_header(axis, header, file) != STATUS_OK)
         return file->status->code;
-    out->nx = (size_t)axis[0].n;
-    out->ny = axis[1].unit.name ? (size_t)axis[1].n : 1;
-    if (scan_take_text(out, heights, axis[2].scale * axis[2].unit.si, INFINITY, NULL, file) != STATUS_OK)
+    if (scan_take_text(out, axis[0].n, axis[1].unit.name ? axis[1].n : 1, heights, axis[2].scale * axis[2].unit.si,
+                       INFINITY, NULL, file) != STATUS_OK)
         return file->status->code;
     out->dx_m = axis[0].increment * axis[0].scale * axis[0].unit.si;
     out->dy_m = axis[1].increment * axis[1].scale * axis[1].unit.si;
@@ -125,8 +123,7 @@ enum status_code scan_npl_prf_read(struct scan *out, const struct scan_file *fil
         return scan_fail(file, lines.number,
                          "no CX, CZ or `SPACING CX` above the heights: only evenly spaced PRF profiles can be read");
     struct string_view data = {lines.next, lines.end};
-    out->nx = (size_t)z.n;
-    if (scan_take_text(out, data, z.scale * z.unit.si, INFINITY, "EOR", file) != STATUS_OK)
+    if (scan_take_text(out, z.n, 1, data, z.scale * z.unit.si, INFINITY, "EOR", file) != STATUS_OK)
         return file->status->code;
     out->dx_m = spacing * x.scale * x.unit.si;
     scan_set_units(out, x.unit.name, z.unit.name);

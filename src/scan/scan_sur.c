@@ -78,8 +78,7 @@ static enum status_code take_heights(struct scan *out, const struct sur_header *
     double x_m, z_m, y_m = scan_unit_m(header->unit[1]), missing = header->special == 1 ? header->z_min - 2 : NAN;
     enum bytes_type type = header->bits == 16 ? BYTES_I16 : BYTES_I32;
     if (scan_units(out, header->unit[0], header->unit[2], &x_m, &z_m, file) != STATUS_OK ||
-        scan_reserve(out, (size_t)header->nx, (size_t)header->ny, bytes_left(&bytes) / bytes_size(type), file) !=
-            STATUS_OK)
+        scan_reserve(out, header->nx, header->ny, bytes_left(&bytes) / bytes_size(type), file) != STATUS_OK)
         return file->status->code;
     for (size_t i = 0; i < out->nx * out->ny; i++) {
         double value = bytes_number(&bytes, type);
@@ -108,7 +107,7 @@ enum status_code scan_sur_read(struct scan *out, const struct scan_file *file)
     struct bytes bytes = bytes_begin(file, SUR_HEADER + (size_t)(header.remarks + header.private));
     if (string_view_starts(scan_view(file), "DIGITAL SURF"))
         return take_heights(out, &header, bytes, file);
-    if (scan_check_points((size_t)header.nx, (size_t)header.ny, file) != STATUS_OK)
+    if (scan_check_points(header.nx, header.ny, file) != STATUS_OK)
         return file->status->code;
     char *data = NULL;
     size_t size = 0;

@@ -13,12 +13,8 @@ enum status_code scan_surfer_read(struct scan *out, const struct scan_file *file
         if (!scan_word(&text, &word) || !number_read(word, &head[i]))
             return scan_fail(file, scan_line(file, text.start), "'%s' in the header of the grid",
                              scan_quote(word).text);
-    if (!(head[0] >= 1 && head[0] <= UINT32_MAX && head[1] >= 1 && head[1] <= UINT32_MAX))
-        return scan_fail(file, 2, "%g x %g points: nothing measured", head[0], head[1]);
-    out->nx = (size_t)head[0];
-    out->ny = (size_t)head[1];
     if (scan_units(out, NULL, NULL, &x_m, &z_m, file) != STATUS_OK ||
-        scan_take_text(out, text, z_m, surfer_blank * (1 - 1e-6), NULL, file) != STATUS_OK)
+        scan_take_text(out, head[0], head[1], text, z_m, surfer_blank * (1 - 1e-6), NULL, file) != STATUS_OK)
         return file->status->code;
     out->dx_m = out->nx > 1 ? (head[3] - head[2]) / (double)(out->nx - 1) * x_m : 0;
     out->dy_m = out->ny > 1 ? (head[5] - head[4]) / (double)(out->ny - 1) * x_m : 0;

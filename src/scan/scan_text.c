@@ -437,8 +437,8 @@ static enum status_code take_columns(struct scan *out, const struct table *table
     struct text *spent = table->file->options->spent;
     if (spent && spent->data == table->file->bytes && !out->units_lacking) /* else a sidecar may make it read again */
         text_free(spent);
-    if ((out->x_column > 0 ? scan_reserve_x(out, n, n, table->file) : scan_reserve(out, n, 1, n, table->file)) !=
-        STATUS_OK)
+    if ((out->x_column > 0 ? scan_reserve_x(out, (double)n, n, table->file)
+                           : scan_reserve(out, (double)n, 1, n, table->file)) != STATUS_OK)
         return table->file->status->code;
     for (size_t i = 0; i < n; i++) {
         const double *row = table->cell + (first + i) * columns;
@@ -701,7 +701,7 @@ static enum status_code take_list(struct scan *out, const struct table *table)
     double y_m = y_unit ? scan_unit_m(y_unit) : x_m;
     bool along_x = fast.column == 0 || slow.n == 1; /* one line is a profile, whichever way it goes */
     const struct direction *x = along_x ? &fast : &slow, *y = along_x ? &slow : &fast;
-    if (scan_reserve(out, x->n, y->n, table->rows, table->file) != STATUS_OK)
+    if (scan_reserve(out, (double)x->n, (double)y->n, table->rows, table->file) != STATUS_OK)
         return table->file->status->code;
     for (size_t row = 0; row < table->rows; row++) {
         size_t f = row % fast.n, s = row / fast.n;
@@ -754,7 +754,8 @@ static enum status_code take_matrix(struct scan *out, struct table *table)
                          "the numbers, or keep two columns, x and z%s",
                          table->columns, table->rows, or_semicolons(table));
     if (take_units(out, table, width.unit, &x_m, &z_m) != STATUS_OK ||
-        scan_reserve(out, table->columns, table->rows, table->columns * table->rows, table->file) != STATUS_OK)
+        scan_reserve(out, (double)table->columns, (double)table->rows, table->columns * table->rows, table->file) !=
+            STATUS_OK)
         return table->file->status->code;
     for (size_t i = 0; i < table->columns * table->rows; i++)
         out->z_m[i] = table->cell[i] * factor * z_m;

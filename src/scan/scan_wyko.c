@@ -60,24 +60,16 @@ enum status_code scan_wyko_read(struct scan *out, const struct scan_file *file)
     }
     if (!heights)
         return scan_fail(file, 0, "no block RAW_DATA; export the heights with it");
-    if (!(nx >= 1 && nx <= UINT32_MAX && ny >= 1 && ny <= UINT32_MAX))
-        return scan_fail(file, 0, "no numbers of points in the lines X Size and Y Size");
     const char *unit = scan_unit_find(last_word(rest, &words)).name;
     double z_m = unit ? scan_unit_m(unit) : wave_nm * 1e-9;
     if (!(pixel_mm > 0 && z_m > 0))
         return scan_fail(file, 0, "no %s in the header; export the file with it",
                          pixel_mm > 0 ? "Wavelength" : "Pixel_size");
-    out->nx = (size_t)nx;
-    out->ny = (size_t)ny;
     struct string_view text = heights_of(lines);
     bool by_columns = nx > 1 && ny > 1 && nx != ny && lines_next(&lines, &line);
     (void)last_word(line, &words);
     by_columns = by_columns && words == ny; /* a line holds a column of the map */
-    if (by_columns) {
-        out->nx = (size_t)ny;
-        out->ny = (size_t)nx;
-    }
-    if (scan_take_text(out, text, z_m, INFINITY, NULL, file) != STATUS_OK)
+    if (scan_take_text(out, by_columns ? ny : nx, by_columns ? nx : ny, text, z_m, INFINITY, NULL, file) != STATUS_OK)
         return file->status->code;
     out->dx_m = pixel_mm * 1e-3;
     out->dy_m = ny > 1 ? out->dx_m * aspect : 0;

@@ -243,7 +243,7 @@ static enum status_code open_main(struct x3p *x3p, const struct scan_file *file)
 }
 
 /* Points in a row and rows; refuses what cannot be read. */
-static enum status_code read_size(const struct main_xml *xml, size_t *nx, size_t *ny, const struct scan_file *file)
+static enum status_code read_size(const struct main_xml *xml, double *nx, double *ny, const struct scan_file *file)
 {
     bool profile = strcmp(xml->feature, "PRF") == 0;
     if (!profile && strcmp(xml->feature, "SUR") != 0)
@@ -251,16 +251,16 @@ static enum status_code read_size(const struct main_xml *xml, size_t *nx, size_t
                          scan_quote((struct string_view){xml->feature, xml->feature + strlen(xml->feature)}).text);
     double x = xml->list > 0 ? xml->list : xml->size[0], y = xml->list > 0 ? 1 : xml->size[1];
     double z = xml->list > 0 || xml->size[2] == 0 ? 1 : xml->size[2];
-    if (!(x >= 1 && x <= 1e12 && y >= 1 && y <= 1e12) || z != 1 || (profile && y != 1))
+    if (!(x >= 1 && y >= 1) || z != 1 || (profile && y != 1))
         return scan_fail(file, 0, "%g x %g x %g points are no %s", x, y, z,
                          profile ? "profile" : "surface of one layer");
     if (!stored(&xml->axis[2]))
         return scan_fail(file, 0, "no heights: CZ is no absolute axis");
     if (y > 1 && (stored(&xml->axis[0]) || stored(&xml->axis[1])))
         return scan_fail(file, 0, "positions stored point by point: only surfaces on a grid can be read");
-    *nx = (size_t)x;
-    *ny = (size_t)y;
-    return scan_check_points(*nx, *ny, file);
+    *nx = x;
+    *ny = y;
+    return scan_check_points(x, y, file);
 }
 
 static double scaled(const struct x3p_axis *axis, double value)
@@ -287,7 +287,7 @@ static enum status_code find_types(enum bytes_type type[3], size_t *size, const 
 }
 
 /* Reads the points from the file that main.xml names or, if it names none, from main.xml. */
-static enum status_code read_values(struct scan *out, struct x3p *x3p, size_t nx, size_t ny,
+static enum status_code read_values(struct scan *out, struct x3p *x3p, double nx, double ny,
                                     const struct scan_file *file)
 {
     const struct main_xml *xml = &x3p->xml;
@@ -296,14 +296,14 @@ static enum status_code read_values(struct scan *out, struct x3p *x3p, size_t nx
     bool listed = !*xml->data_link;
     size_t size = 1;
     if (!listed && (find_types(type, &size, axis, file) != STATUS_OK ||
-                    read_link(&x3p->points, x3p, xml->data_link, nx * ny * size, file) != STATUS_OK))
+                    read_link(&x3p->points, x3p, xml->data_link, (size_t)(nx * ny) * size, file) != STATUS_OK))
         return file->status->code;
     struct bytes bytes = {text_string(&x3p->points), text_string(&x3p->points) + x3p->points.length, false};
     const double *point = (const void *)xml->listed.data;
     size_t room = listed ? xml->listed.length / sizeof *point / 2 : bytes_left(&bytes) / size;
     if ((stored(&axis[0]) ? scan_reserve_x(out, nx, room, file) : scan_reserve(out, nx, ny, room, file)) != STATUS_OK)
         return file->status->code;
-    for (size_t i = 0; i < nx * ny; i++) {
+    for (size_t i = 0; i < out->nx * out->ny; i++) {
         double value[3] = {0};
         for (size_t k = 0; k < 3; k++)
             if (stored(&axis[k]))
@@ -334,7 +334,7 @@ static enum status_code read_valid(struct scan *out, struct x3p *x3p, const stru
 enum status_code scan_x3p_read(struct scan *out, const struct scan_file *file)
 {
     struct x3p x3p = {0};
-    size_t nx = 0, ny = 0;
+    double nx = 0, ny = 0;
     if (open_main(&x3p, file) == STATUS_OK && read_size(&x3p.xml, &nx, &ny, file) == STATUS_OK &&
         read_values(out, &x3p, nx, ny, file) == STATUS_OK && read_valid(out, &x3p, file) == STATUS_OK) {
         out->dx_m = x3p.xml.axis[0].increment;

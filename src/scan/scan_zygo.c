@@ -23,13 +23,8 @@ static size_t read_numbers(double out[FIELDS], struct string_view line)
     return count;
 }
 
-static bool is_size(double value)
-{
-    return value >= 1 && value < 1e9 && value == floor(value);
-}
-
-/* The points, their spacing, and the height of one phase. */
-static enum status_code read_header(struct scan *out, double *phase_m, struct lines *lines,
+/* The spacing, columns and rows, and the height of one phase. */
+static enum status_code read_header(struct scan *out, double size[2], double *phase_m, struct lines *lines,
                                     const struct scan_file *file)
 {
     static const double resolutions[] = {4096, 32768, 131072};
@@ -39,10 +34,9 @@ static enum status_code read_header(struct scan *out, double *phase_m, struct li
         double field[FIELDS] = {0};
         const size_t count = read_numbers(field, line);
         if (n == SIZE_LINE) {
-            if (count < 4 || !is_size(field[2]) || !is_size(field[3]))
+            if (count < 4)
                 return scan_fail(file, n, "no numbers of columns and rows here; export the map again");
-            out->nx = (size_t)field[2];
-            out->ny = (size_t)field[3];
+            memcpy(size, field + 2, 2 * sizeof *size);
         } else if (n == OPTICS_LINE) {
             if (count < 7 || !(field[6] > 0) || !(field[1] > 0 && field[2] > 0 && field[4] > 0))
                 return scan_fail(file, n,
@@ -68,19 +62,22 @@ static bool skip_block(struct lines *lines)
     return false;
 }
 
-static enum status_code read_phases(struct scan *out, struct lines lines, double phase_m, const struct scan_file *file)
+static enum status_code read_phases(struct scan *out, const double size[2], struct lines lines, double phase_m,
+                                    const struct scan_file *file)
 {
     if (!skip_block(&lines) || !skip_block(&lines))
         return scan_fail(file, 0, "no block of phases; copy the file again");
-    return scan_take_text(out, (struct string_view){lines.next, lines.end}, phase_m, phase_missing, "#", file);
+    return scan_take_text(out, size[0], size[1], (struct string_view){lines.next, lines.end}, phase_m, phase_missing,
+                          "#", file);
 }
 
-static enum status_code read_points(struct scan *out, struct lines lines, const struct scan_file *file)
+static enum status_code read_points(struct scan *out, const double size[2], struct lines lines,
+                                    const struct scan_file *file)
 {
     enum { SHORTEST = 6 }; /* bytes of `0 0 1` and its end */
     if (!skip_block(&lines))
         return scan_fail(file, 0, "no line `#` above the points; copy the file again");
-    if (scan_reserve(out, out->nx, out->ny, (size_t)(lines.end - lines.next + 1) / SHORTEST, file) != STATUS_OK)
+    if (scan_reserve(out, size[0], size[1], (size_t)(lines.end - lines.next + 1) / SHORTEST, file) != STATUS_OK)
         return file->status->code;
     for (size_t i = 0; i < out->nx * out->ny; i++)
         out->z_m[i] = NAN;
@@ -108,11 +105,11 @@ static enum status_code read_points(struct scan *out, struct lines lines, const 
 
 enum status_code scan_zygo_read(struct scan *out, const struct scan_file *file)
 {
-    double phase_m = NAN;
+    double size[2] = {0}, phase_m = NAN;
     struct lines lines = lines_begin(scan_view(file));
-    if (read_header(out, &phase_m, &lines, file) != STATUS_OK)
+    if (read_header(out, size, &phase_m, &lines, file) != STATUS_OK)
         return file->status->code;
     const bool xyz = string_view_starts(scan_view(file), "Zygo XYZ");
     scan_set_units(out, "m", xyz ? "um" : "m");
-    return xyz ? read_points(out, lines, file) : read_phases(out, lines, phase_m, file);
+    return xyz ? read_points(out, size, lines, file) : read_phases(out, size, lines, phase_m, file);
 }

@@ -181,7 +181,8 @@ TEST_CASE(test_gsf)
     assert_sample(&text, "gsf", SCAN_AREAL, 4, &um);
     assert_refused_bytes(text_string(&text), text.length, &no_units, "no unit for x nor for z");
     text_free(&text);
-    refuse_text(gsf("XRes = 1e9\n"), &no_units, "file:7: XRes = '1e9'");
+    refuse_text(gsf("XRes = x9\n"), &no_units, "file:7: XRes = 'x9'");
+    refuse_text(gsf("XRes = 2.5\n"), &um, "the header says 2.5 x 2 points: nothing measured");
 }
 
 static void put_tag(struct text *text, const char *key, const char *value)
@@ -216,7 +217,7 @@ static struct text al3d(const char *offset, const char *rows)
 TEST_CASE(test_al3d)
 {
     expect_sample(al3d("500", "2"), "al3d", SCAN_AREAL, 2, &no_units);
-    refuse_text(al3d("500", "4000000000"), &no_units, "the header says 3 x 4000000000 points");
+    refuse_text(al3d("500", "4000000000"), &no_units, "3 x 4000000000 points");
     refuse_text(al3d("0", "2"), &no_units, "no depth image");
-    refuse_text(al3d("500", "x"), &no_units, "no numbers of points in the tags");
+    refuse_text(al3d("500", "x"), &no_units, "the header says 3 x 0 points: nothing measured");
 }
