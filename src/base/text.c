@@ -4,14 +4,12 @@
 
 #include <ctype.h>
 #include <errno.h>
-#include <fcntl.h>
 #include <stdarg.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 static bool text_reserve(struct text *text, size_t extra)
 {
@@ -352,22 +350,16 @@ enum status_code text_read_stream(struct text *text, FILE *file, const char *nam
 enum status_code text_read_file(struct text *text, const char *path, struct status *status)
 {
     struct stat info = {0};
-    int descriptor = open(path, O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC); /* a pipe would keep it waiting */
-    FILE *file = descriptor < 0 ? NULL : fdopen(descriptor, "rb");
-    enum status_code code;
-    if (!file && !(errno == ENXIO && stat(path, &info) == 0))
-        code = status_fail(status, STATUS_IO, "cannot open '%s': %s", path, strerror(errno));
-    else if (!file || fstat(descriptor, &info) != 0 || !S_ISREG(info.st_mode))
-        code = status_fail(status, STATUS_IO, "'%.440s' is %s", path,
+    const bool found = stat(path, &info) == 0;
+    if (found && !S_ISREG(info.st_mode)) /* a pipe would keep it waiting */
+        return status_fail(status, STATUS_IO, "'%.440s' is %s", path,
                            S_ISDIR(info.st_mode) ? "a directory, no file" : "no regular file");
-    else {
-        setvbuf(file, NULL, _IONBF, 0); /* into `text` at once */
-        code = text_read_stream(text, file, path, status);
-    }
-    if (file)
-        fclose(file);
-    else if (descriptor >= 0)
-        close(descriptor);
+    FILE *file = found ? fopen(path, "rbe") : NULL;
+    if (!file)
+        return status_fail(status, STATUS_IO, "cannot open '%s': %s", path, strerror(errno));
+    setvbuf(file, NULL, _IONBF, 0); /* into `text` at once */
+    enum status_code code = text_read_stream(text, file, path, status);
+    fclose(file);
     return code;
 }
 
