@@ -10,10 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum {
-    TEXT_POINTS = 3,
-    TEXT_MOST_COLUMNS = 8 /* of numbers beside x; more are a map */
-};
+enum { TEXT_POINTS = 3, TEXT_MOST_COLUMNS = 8 }; /* of numbers beside x; more are a map */
 
 /* The numbers of a text file in rows and columns, and what the lines above them say. */
 struct table {
@@ -372,8 +369,7 @@ static double at(const struct table *table, size_t row, size_t column)
  * where every other height is this many times smaller. */
 static const double sentinels[] = {-25400, -32768, -99999, -9999, 9999, 99999, 1e10, -2147483648.0};
 static const double sentinel_distance = 4;
-/* Any other height counts as missing where it is repeated and this many times the range of the others away from them.
- */
+/* Any other height counts as missing where it is repeated and lies this many times the range of the others away. */
 static const double gap_distance = 20;
 static const double gap_share = 0.1; /* of the points, at most */
 
