@@ -36,95 +36,72 @@ const struct material material_table[] = {
     {"tin", 41.369e9, 0.36, 14e6, 11.5e-8, 66.8, 7310, 227, 2730,
      "Wilson 2008, table 6.1 (E, nu, S_y, resistivity); CRC Handbook of Chemistry and Physics (k, density, c_p, "
      "v_s along a thin rod)",
-     NAN, NAN, 14.8e28},
+     NAN, NAN, 14.8e28, NULL},
     {"copper", 117e9, 0.34, 250e6, 1.72e-8, 391, 8940, 385, 4760,
      "ETP copper C11000, half hard (H02): ASM Handbook vol. 2; longitudinal v_s, annealed: CRC Handbook of Chemistry "
      "and Physics",
-     NAN, NAN, COPPER_ELECTRONS},
+     NAN, NAN, COPPER_ELECTRONS, NULL},
     {"brass", 110e9, 0.35, 300e6, 6.45e-8, 120, 8440, 377, 4700,
      "CuZn37 (CW508L, C27200), hard (R410): S_y minimum of EN 1652, others ASM Handbook vol. 2; longitudinal v_s of "
      "70/30 brass: CRC Handbook of Chemistry and Physics",
-     NAN, NAN, COPPER_ELECTRONS},
+     NAN, NAN, COPPER_ELECTRONS, "CuZn37"},
     {"bronze", 110e9, 0.34, 434e6, 12.2e-8, 66, 8840, 377, 4380,
      "phosphor bronze CuSn6 (CW452K, C51900), half hard (H02): ASM Handbook vol. 2; longitudinal v_s computed from E, "
      "nu and density",
-     NAN, NAN, COPPER_ELECTRONS},
+     NAN, NAN, COPPER_ELECTRONS, "CuSn6"},
     {"gold", 78e9, 0.44, 205e6, 2.214e-8, 318, 19300, 129, 3240,
      "bulk gold for soft plating; S_y cold worked 60 %, near a third of a soft plate's hardness: ASM Handbook vol. 2; "
      "resistivity, k, density, c_p, longitudinal v_s: CRC Handbook of Chemistry and Physics",
-     NAN, NAN, GOLD_ELECTRONS},
+     NAN, NAN, GOLD_ELECTRONS, NULL},
     {"silver", 83e9, 0.37, 54e6, 1.587e-8, 429, 10490, 235, 3650,
      "fine silver, bulk, annealed (plated silver is harder): E, nu, S_y ASM Handbook vol. 2; others, longitudinal v_s: "
      "CRC Handbook of Chemistry and Physics",
-     NAN, NAN, 5.86e28},
+     NAN, NAN, 5.86e28, NULL},
     {"nickel", 207e9, 0.31, 59e6, 6.93e-8, 90.7, 8900, 444, 6040,
      "pure nickel, bulk, annealed (plated nickel is far harder): E, nu, S_y ASM Handbook vol. 2; others, longitudinal "
      "v_s: CRC Handbook of Chemistry and Physics",
-     NAN, NAN, 0},
+     NAN, NAN, 0, NULL},
     {"aluminium", 68.9e9, 0.33, 276e6, 3.99e-8, 167, 2700, 896, 6420,
      "alloy 6061-T6 (solution treated, aged): ASM Handbook vol. 2; longitudinal v_s of rolled aluminium: CRC Handbook "
      "of Chemistry and Physics",
-     NAN, NAN, 18.1e28},
+     NAN, NAN, 18.1e28, "aluminum,Al,Al6061"},
     {"steel", 193e9, 0.29, 215e6, 7.2e-7, 16.2, 8000, 500, 5790,
      "stainless steel AISI 304, annealed: ASM Handbook vol. 1; longitudinal v_s of AISI 347: CRC Handbook of Chemistry "
      "and Physics",
-     NAN, NAN, 0},
+     NAN, NAN, 0, "stainless,304"},
     {"carbon-steel", 200e9, 0.29, 350e6, 1.59e-7, 51.9, 7870, 486, 5770,
      "AISI 1020, cold drawn: E, nu, resistivity, c_p matmake.com, in whose range of 240 to 380 MPa S_y is; k, density: "
      "theworldmaterial.com; longitudinal v_s computed from E, nu and density",
-     NAN, NAN, 0},
+     NAN, NAN, 0, "carbon steel"},
     {"hard-gold", 78e9, 0.44, 587e6, NAN, NAN, NAN, NAN, NAN,
      "cobalt-hardened gold plate, type I code C of ASTM B488, 130...200 HK25: hardness 170 HK = 1.67 GPa; "
      "S_y computed as H/2.84; E, nu of bulk gold; what it conducts depends on its cobalt and carbon: give it",
-     1.667e9, NAN, GOLD_ELECTRONS},
+     1.667e9, NAN, GOLD_ELECTRONS, NULL},
     {"beryllium-copper", 131e9, 0.30, 965e6, 7.68e-8, 107, 8350, 419, 4590,
      "CuBe2 (C17200), solution treated and aged (TF00): S_y minimum of ASTM B194; E, nu, c_p ASM Handbook vol. 2; "
      "resistivity, k, density: wire maker's data (Little Falls Alloys); longitudinal v_s computed from E, nu and "
      "density",
-     NAN, NAN, COPPER_ELECTRONS},
+     NAN, NAN, COPPER_ELECTRONS, "CuBe,CuBe2,C17200"},
     {"copper-nickel-silicon", 135e9, 0.34, 500e6, 4.31e-8, 190, 8800, 399, 4860,
      "CuNi3SiMg (C70250), R620: S_y minimum, 40 % IACS, E, nu: conductivity-app.org, CuNi3Si (EN CW112C); k, density, "
      "c_p: maker's data sheet (KME STOL); longitudinal v_s computed from E, nu and density",
-     NAN, NAN, COPPER_ELECTRONS},
+     NAN, NAN, COPPER_ELECTRONS, "CuNiSi,CuNi3Si,C7025,C70250"},
     {"solder", 30e9, 0.40, NAN, 14.5e-8, 50, 8400, 191, 2770,
      "Sn63Pb37, Indalloy 106: resistivity, k, density, 17 HB: tables of solder alloys (alasir.com); E: Topline; nu of "
      "tin-lead: makeitfrom.com; c_p of its metals by mass; longitudinal v_s computed; it creeps, so S_y depends on "
      "time: give it",
-     167e6, NAN, 0},
+     167e6, NAN, 0, "SnPb,Sn63Pb37"},
     {"indium", 12.7e9, 0.45, 1.88e6, 8.37e-8, 81.8, 7310, 233, 2570,
      "pure indium, bulk: E, 0.9 HB: AZoM 9093; nu: Kim and Ledbetter 1998, Mater. Sci. Eng. A; S_y as its tensile "
      "strength, 273 psi (Indium Corporation), as it hardly hardens; others CRC Handbook of Chemistry and Physics; "
      "longitudinal v_s computed from E, nu and density",
-     8.8e6, NAN, 11.5e28},
+     8.8e6, NAN, 11.5e28, NULL},
     {"galinstan", NAN, NAN, NAN, 2.89e-7, 16.5, 6440, 296, NAN,
      "liquid Ga-In-Sn between the bodies, which bears no load: resistivity of 3.46 MS/m, k, density: Geratherm's data "
      "as quoted by Wikipedia; c_p: Hodes et al. 2014, IEEE Trans. Compon. Packag. Manuf. Technol. 4",
-     NAN, NAN, 0},
+     NAN, NAN, 0, NULL},
 };
 const size_t material_table_count = sizeof material_table / sizeof *material_table;
-
-/* Aliases. */
-static const struct {
-    const char *other, *name;
-} other_names[] = {
-    {"CuZn37", "brass"},
-    {"CuSn6", "bronze"},
-    {"CuBe", "beryllium-copper"},
-    {"CuBe2", "beryllium-copper"},
-    {"C17200", "beryllium-copper"},
-    {"CuNiSi", "copper-nickel-silicon"},
-    {"CuNi3Si", "copper-nickel-silicon"},
-    {"C7025", "copper-nickel-silicon"},
-    {"C70250", "copper-nickel-silicon"},
-    {"aluminum", "aluminium"},
-    {"Al", "aluminium"},
-    {"carbon steel", "carbon-steel"},
-    {"Al6061", "aluminium"},
-    {"stainless", "steel"},
-    {"304", "steel"},
-    {"SnPb", "solder"},
-    {"Sn63Pb37", "solder"},
-};
 
 /* C = 1.295 exp(0.736 nu): where yielding starts under a spherical tip. Jackson & Green 2005; thesis (4.14). */
 static const double yield_coefficient_factor = 1.295;
@@ -134,13 +111,21 @@ static const double kinetic_dimensions = 3.0;
 
 const double material_hardness_ratio = 2.84;
 
+static bool is_one_of(const char *name, const char *names)
+{
+    const size_t length = strlen(name);
+    for (const char *end; names; names = *end ? end + 1 : NULL) {
+        end = strchrnul(names, ',');
+        if ((size_t)(end - names) == length && strncasecmp(names, name, length) == 0)
+            return true;
+    }
+    return false;
+}
+
 const struct material *material_find(const char *name)
 {
-    for (size_t i = 0; i < sizeof other_names / sizeof *other_names; i++)
-        if (strcasecmp(other_names[i].other, name) == 0)
-            name = other_names[i].name;
     for (size_t i = 0; i < material_table_count; i++)
-        if (strcasecmp(material_table[i].name, name) == 0)
+        if (strcasecmp(material_table[i].name, name) == 0 || is_one_of(name, material_table[i].aliases))
             return &material_table[i];
     return NULL;
 }

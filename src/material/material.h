@@ -21,6 +21,7 @@ struct material {
     double hardness_Pa;             /* H; NaN: 2.84 S_y */
     double mean_free_path_m;        /* of what carries the heat; NaN: 3k/(density v_s c_p) */
     double electrons_per_m3;        /* free ones; 0: not known */
+    const char *aliases;            /* of a built-in one, with commas between; NULL: none */
 };
 
 /** A property: drives scene keys, the `materials` command and range checks. */
