@@ -6,53 +6,36 @@
 const double asperity_yield_onset = 1.9;
 const double asperity_fitted_radius_ratio = 0.41;
 
-/** Hertz 1882: A = pi R omega (4.27), P = (4/3) E' sqrt(R) omega^(3/2) (4.28), a = sqrt(R omega). */
-static void press_hertz(struct asperity_contact *out, const struct asperity *asperity, double interference_m)
-{
-    double square = asperity->radius_m * interference_m;
-    out->area_m2 = M_PI * square;
-    out->radius_m = sqrt(square);
-    out->load_N = 4.0 / 3 * asperity->effective_modulus_Pa * out->radius_m * interference_m;
-}
-
 /** H_G/S_y = 2.84 - 0.92 (1 - cos(pi a/R)) (4.37), a/R clamped to 1. */
 static double hardness_ratio(double radius_ratio)
 {
     return 2.84 - 0.92 * (1 - cos(M_PI * fmin(1, radius_ratio)));
 }
 
-/** Jackson and Green 2005, 2006: Hertz below 1.9 omega_c; else (4.32*), (4.33*), with a/R of (4.38*). */
-static void press_jg(struct asperity_contact *out, const struct asperity *asperity, double interference_m)
+struct asperity_contact asperity_press(const struct asperity *asperity, double interference_m)
 {
     double ratio = interference_m / asperity->critical_interference_m; /* omega* */
+    double square = asperity->radius_m * interference_m;
     if (!(ratio >= asperity_yield_onset)) {
-        press_hertz(out, asperity, interference_m);
-        return;
+        double load_N = 4.0 / 3 * asperity->effective_modulus_Pa * sqrt(square) * interference_m;
+        return (struct asperity_contact){M_PI * square, load_N, sqrt(square)};
     }
     double ln_ratio = log(ratio);
-    double growth = exp(asperity->area_exponent * (ln_ratio - log(asperity_yield_onset))); /* D (4.45) */
-    double square = asperity->radius_m * interference_m * growth;
-    out->area_m2 = M_PI * square;
-    out->radius_m = sqrt(square);
+    square *= exp(asperity->area_exponent * (ln_ratio - log(asperity_yield_onset))); /* D (4.45) */
     double elastic = exp(-0.25 * exp(5.0 / 12 * ln_ratio)) * ratio * sqrt(ratio);
-    double flow = 4 * hardness_ratio(out->radius_m / asperity->radius_m) / asperity->yield_coefficient;
+    double flow = 4 * hardness_ratio(sqrt(square) / asperity->radius_m) / asperity->yield_coefficient;
     double plastic = -flow * expm1(-exp(5.0 / 9 * ln_ratio) / 25) * ratio;
-    out->load_N = asperity->critical_load_N * (elastic + plastic);
+    return (struct asperity_contact){M_PI * square, asperity->critical_load_N * (elastic + plastic), sqrt(square)};
 }
 
-const struct asperity_model asperity_models[ASPERITY_MODEL_COUNT] = {
-    [ASPERITY_HERTZ] = {false, press_hertz},
-    [ASPERITY_JG] = {true, press_jg},
-};
-
-struct asperity asperity_make(double radius_m, const struct material_pair *pair, enum asperity_model_id law)
+struct asperity asperity_make(double radius_m, const struct material_pair *pair, bool plastic)
 {
     struct asperity asperity = {
         .radius_m = radius_m,
         .effective_modulus_Pa = pair->effective_modulus_Pa,
         .critical_interference_m = INFINITY,
     };
-    if (!asperity_models[law].plastic)
+    if (!plastic)
         return asperity;
     double modulus = pair->effective_modulus_Pa, flow_Pa = pair->yield_coefficient * pair->yield_strength_Pa;
     double contact_slope = M_PI * flow_Pa / (2 * modulus); /* sqrt(omega_c/R) */

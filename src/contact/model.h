@@ -98,13 +98,13 @@ struct model_row {
                                             none */
     const struct model_row *gaussian;    /* the same for Gaussian heights, for comparison; NULL: none */
     bool stacks_scales;                  /* every harmonic is a scale, so the convergence study applies */
-    const struct asperity_model *asperity_model; /* law summed over model_task.asperities; NULL: none */
-    bool uses_strip;                             /* needs model_task.strip, and model_task.bearing if plastic */
-    bool uses_map;                               /* needs model_task.transfer: solves the map, not its scans */
-    unsigned quantities;                         /* QUANTITY_BITs it computes */
-    unsigned may_be_empty; /* QUANTITY_BITs of those that it leaves NaN where they are not valid */
-    double largest_area;   /* A/A_n up to which it is valid; 0: any */
-    bool ends;             /* it has no numbers beyond that */
+    bool sums_asperities;                /* those of model_task.asperities */
+    bool uses_strip;                     /* needs model_task.strip, and model_task.bearing if plastic */
+    bool uses_map;                       /* needs model_task.transfer: solves the map, not its scans */
+    unsigned quantities;                 /* QUANTITY_BITs it computes */
+    unsigned may_be_empty;               /* QUANTITY_BITs of those that it leaves NaN where they are not valid */
+    double largest_area;                 /* A/A_n up to which it is valid; 0: any */
+    bool ends;                           /* it has no numbers beyond that */
     double stiffness_step; /* model_run() differentiates the separation over ln P -+ this; 0: the model computes its own
                               stiffness, or none */
     bool textbook;         /* printed beside the leading model on the first page, where valid */

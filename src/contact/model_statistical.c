@@ -6,18 +6,13 @@
 
 #include <math.h>
 
-static enum asperity_model_id asperity_model_of(const struct model_row *row)
-{
-    return (enum asperity_model_id)(row->asperity_model - asperity_models);
-}
-
 static enum status_code run(struct model_curve *curve, const struct model_row *row, const struct model_task *task,
                             struct status *status)
 {
     if (!task->asperities)
         return STATUS_OK;
     struct statistical model;
-    if (statistical_make(&model, task, asperity_model_of(row), INFINITY, status) != STATUS_OK) {
+    if (statistical_make(&model, task, row->plastic, INFINITY, status) != STATUS_OK) {
         statistical_free(&model);
         return status->code;
     }
@@ -48,7 +43,7 @@ static enum status_code spots(struct contact_spots *out, const struct model_row 
         out[i] = (struct contact_spots){NAN, NAN};
     if (!task->asperities)
         return STATUS_OK;
-    enum status_code rc = statistical_make(&model, &spots_alone, asperity_model_of(row), INFINITY, status);
+    enum status_code rc = statistical_make(&model, &spots_alone, row->plastic, INFINITY, status);
     struct contact_point point;
     double d = 3;
     for (size_t i = 0; rc == STATUS_OK && i < task->load_count; i++)
@@ -66,7 +61,7 @@ const struct model_row model_gw = {
     .label = "GW",
     .family = "statistical",
     .counterpart = &model_multiscale_elastic,
-    .asperity_model = &asperity_models[ASPERITY_HERTZ],
+    .sums_asperities = true,
     .quantities = COMPUTES,
     .stiffness_step = MODEL_STIFFNESS_STEP,
     .largest_area = TOUCHING_AREA,
@@ -92,7 +87,7 @@ const struct model_row model_jg = {
     .plastic = true,
     .elastic = &model_gw,
     .counterpart = &model_multiscale_plastic,
-    .asperity_model = &asperity_models[ASPERITY_JG],
+    .sums_asperities = true,
     .quantities = COMPUTES,
     .stiffness_step = MODEL_STIFFNESS_STEP,
     .largest_area = TOUCHING_AREA,

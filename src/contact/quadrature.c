@@ -79,8 +79,7 @@ enum status_code quadrature_make(struct quadrature *out, const struct quadrature
             double t, weight;
             gsl_integration_glfixed_point(border[p], border[p + 1], i, &t, &weight, rule);
             weight *= 2 * t * inverse_sqrt_2pi; /* du = 2 t dt */
-            struct asperity_contact contact;
-            asperity_models[law->law].press(&contact, asperity, sigma_s_m * t * t);
+            struct asperity_contact contact = asperity_press(asperity, sigma_s_m * t * t);
             double radius = weight * contact.radius_m;
             out->node[k] =
                 (struct quadrature_node){t * t, weight * contact.area_m2, weight * contact.load_N, radius,

@@ -10,7 +10,6 @@
 /** The integrand: an asperity law over a height distribution. */
 struct quadrature_law {
     const struct asperity *asperity;
-    enum asperity_model_id law;
     double sigma_s_m;
     double knudsen_length_m; /* 0: no scale dependence */
 };

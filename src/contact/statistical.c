@@ -15,9 +15,9 @@ static bool is_scale_dependent(const struct statistical *model)
 static void integrate(struct quadrature_sums *sums, const struct statistical *model, double d)
 {
     bool scale_dependence = is_scale_dependent(model);
-    if (model->law != ASPERITY_HERTZ || scale_dependence)
+    if (model->plastic || scale_dependence)
         quadrature_sum(sums, &model->panels, d);
-    if (model->law != ASPERITY_HERTZ)
+    if (model->plastic)
         return;
     struct gaussian_integrals f = gaussian_integrals(d);
     double radius_m = model->asperity.radius_m, sigma_s_m = model->surface.sigma_s_m;
@@ -69,8 +69,7 @@ static double solve(const struct statistical *model, bool area, double log_targe
     static const double small = 0.25;
     d = fmin(d, highest_d);
     for (int iteration = 0; iteration < 200; iteration++) {
-        struct logarithm f =
-            model->law == ASPERITY_HERTZ ? closed_logarithm(model, area, d) : panel_logarithm(model, area, d);
+        struct logarithm f = model->plastic ? panel_logarithm(model, area, d) : closed_logarithm(model, area, d);
         if (!(isfinite(f.value) && f.first < 0))
             return NAN; /* out of range: model_run() drops the curve */
         double newton = (log_target - f.value) / f.first, bend = newton * f.second / (2 * f.first);
@@ -81,27 +80,27 @@ static double solve(const struct statistical *model, bool area, double log_targe
     return d;
 }
 
-enum status_code statistical_make(struct statistical *out, const struct model_task *task, enum asperity_model_id law,
-                                  double lowest_d, struct status *status)
+enum status_code statistical_make(struct statistical *out, const struct model_task *task, bool plastic, double lowest_d,
+                                  struct status *status)
 {
     const struct asperities *surface = task->asperities;
     *out = (struct statistical){
         .surface = *surface,
-        .asperity = asperity_make(surface->radius_m, task->pair, law),
-        .law = law,
+        .asperity = asperity_make(surface->radius_m, task->pair, plastic),
+        .plastic = plastic,
         .spot = constriction_make(task->pair),
         .wanted = task->wanted,
     };
     struct statistical elastic = *out;
     const bool scale_dependent = is_scale_dependent(out);
-    const struct quadrature_law laid = {&out->asperity, law, surface->sigma_s_m,
+    const struct quadrature_law laid = {&out->asperity, surface->sigma_s_m,
                                         scale_dependent ? out->spot.knudsen_length_m : 0};
-    elastic.law = ASPERITY_HERTZ;
-    out->full_d = solve(&elastic, true, 0, 0);        /* no law is needed below it */
-    if ((law != ASPERITY_HERTZ || scale_dependent) && /* else closed forms do */
+    elastic.plastic = false;
+    out->full_d = solve(&elastic, true, 0, 0); /* no law is needed below it */
+    if ((plastic || scale_dependent) &&        /* else closed forms do */
         quadrature_make(&out->panels, &laid, fmin(lowest_d, out->full_d), task->tolerance, status) != STATUS_OK)
         return status->code;
-    if (law != ASPERITY_HERTZ)
+    if (plastic)
         out->full_d = solve(out, true, 0, out->full_d);
     struct contact_point full;
     statistical_at(&full, out, out->full_d);
@@ -162,9 +161,8 @@ struct contact_spots statistical_spots(const struct statistical *model, double d
     const struct asperities *surface = &model->surface;
     return (struct contact_spots){
         .density_per_m2 = surface->density_per_m2 * f.zero * exp(f.log_factor),
-        .radius_m = model->law == ASPERITY_HERTZ
-                        ? sqrt(surface->radius_m * surface->sigma_s_m) * (f.three_halves / f.one)
-                        : quadrature_mean_radius(&model->panels, d),
+        .radius_m = model->plastic ? quadrature_mean_radius(&model->panels, d)
+                                   : sqrt(surface->radius_m * surface->sigma_s_m) * (f.three_halves / f.one),
     };
 }
 

@@ -13,7 +13,7 @@
 struct statistical {
     struct asperities surface;
     struct asperity asperity;
-    enum asperity_model_id law;
+    bool plastic;
     struct constriction spot;
     unsigned wanted;          /* QUANTITY_BITs */
     struct quadrature panels; /* empty where closed forms do */
@@ -25,8 +25,8 @@ struct statistical {
 /** Prepares the model of a task, with beta (4.54), for separations down to full contact or to `lowest_d` sigma_s if
  * that is lower. Errors: STATUS_MEMORY; STATUS_MODEL when either is below about -2000 (not with
  * roughness_asperities()). */
-MUST_CHECK enum status_code statistical_make(struct statistical *out, const struct model_task *task,
-                                             enum asperity_model_id law, double lowest_d, struct status *status);
+MUST_CHECK enum status_code statistical_make(struct statistical *out, const struct model_task *task, bool plastic,
+                                             double lowest_d, struct status *status);
 void statistical_free(struct statistical *model);
 
 /** Contact with the flat at d = `d` sigma_s: A (4.25), P (4.26), delta (4.29), delta_ADJ (4.54), and the resistances

@@ -101,7 +101,7 @@ static void note_description(struct surface_summary *summary, const struct scene
     for (size_t i = 0; i < line_count; i++)
         text_add(&lines, "\n%s %.2g", i > 0 ? "others" : "first", line_m[i] * 1e6);
     for (size_t m = 0; m < model_count && !summary->has_asperities; m++)
-        if ((scene->models & MODEL_BIT(m)) && model_rows[m]->asperity_model)
+        if ((scene->models & MODEL_BIT(m)) && model_rows[m]->sums_asperities)
             text_add(&models, "\n%s %s", models.length > 0 ? "others" : "first", model_rows[m]->label);
     if (scene->fit == POWER_LAW_THESIS && isnan(law->gamma))
         note_add(notes, NULL, law->harmonics < 3 ? "note.few_harmonics" : "note.no_alpha");

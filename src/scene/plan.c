@@ -110,7 +110,7 @@ bool plan_uses_asperities(const struct plan *plan)
 {
     bool uses = false;
     for (size_t m = 0; m < model_count; m++)
-        uses = uses || (plan_runs_model(plan, m) && model_rows[m]->asperity_model);
+        uses = uses || (plan_runs_model(plan, m) && model_rows[m]->sums_asperities);
     return uses;
 }
 

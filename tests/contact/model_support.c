@@ -83,12 +83,12 @@ struct multiscale model_support_stack(const struct spectrum *spectrum, const str
 }
 
 struct statistical model_support_statistical(const struct asperities *surface, const struct material_pair *pair,
-                                             enum asperity_model_id law, double tolerance, double lowest_d)
+                                             bool plastic, double tolerance, double lowest_d)
 {
     struct statistical model;
     const struct model_task task = {
         .asperities = surface, .pair = pair, .wanted = MODEL_EVERYTHING, .tolerance = tolerance};
-    expect_ok(statistical_make, &model, &task, law, lowest_d);
+    expect_ok(statistical_make, &model, &task, plastic, lowest_d);
     if (model.panels.node)
         test_owns(model.panels.node, free);
     return model;

@@ -46,7 +46,7 @@ struct multiscale model_support_stack(const struct spectrum *spectrum, const str
 
 /** A statistical model for separations from lowest_d on: statistical_make(). */
 struct statistical model_support_statistical(const struct asperities *surface, const struct material_pair *pair,
-                                             enum asperity_model_id law, double tolerance, double lowest_d);
+                                             bool plastic, double tolerance, double lowest_d);
 
 /** The heights of rows, in order. */
 const struct bearing *model_support_bearing(const struct strip_rows *rows);

@@ -6,15 +6,13 @@
 /** a^power phi(u + d) of the asperities that stand u sigma_s above the flat. */
 struct spot_integrand {
     const struct asperity *asperity;
-    enum asperity_model_id law;
     double sigma_s_m, d, power;
 };
 
 static double spot_integrand(double u, void *context)
 {
     const struct spot_integrand *f = context;
-    struct asperity_contact contact;
-    asperity_models[f->law].press(&contact, f->asperity, f->sigma_s_m * u);
+    struct asperity_contact contact = asperity_press(f->asperity, f->sigma_s_m * u);
     return (f->power > 0 ? pow(contact.radius_m, f->power) : 1) * exp(-(u + f->d) * (u + f->d) / 2) / sqrt(2 * M_PI);
 }
 
@@ -41,20 +39,20 @@ TEST_CASE(spots_are_integrals_over_asperities)
     struct contact_spots spots[MODEL_LOADS];
     model_support_loads(load, MODEL_LOADS, 1e-8, 1e-2);
     for (size_t s = 0; s < sizeof surfaces / sizeof *surfaces; s++)
-        for (int law = ASPERITY_HERTZ; law <= ASPERITY_JG; law++) {
+        for (int plastic = 0; plastic < 2; plastic++) {
             struct asperities surface = model_support_asperities(surfaces[s].m0, surfaces[s].m2, surfaces[s].m4);
-            struct asperity asperity = asperity_make(surface.radius_m, &pair, (enum asperity_model_id)law);
+            struct asperity asperity = asperity_make(surface.radius_m, &pair, plastic);
             struct model_task task = model_support_task(NULL, &pair, load, MODEL_LOADS);
             task.asperities = &surface;
             task.tolerance = 1e-10;
-            struct model_curve curve = model_support_run(points, names[law], &task);
-            model_support_spots(spots, names[law], &task);
+            struct model_curve curve = model_support_run(points, names[plastic], &task);
+            model_support_spots(spots, names[plastic], &task);
             bool closed = curve.points[curve.count - 1].value[QUANTITY_LOAD] == curve.full_load;
             size_t pressed = curve.count - closed;
             assert_true(pressed > 5);
             for (size_t i = 0; i < pressed; i++) {
                 struct spot_integrand f = {
-                    &asperity, (enum asperity_model_id)law, surface.sigma_s_m,
+                    &asperity, surface.sigma_s_m,
                     (points[i].value[QUANTITY_SEPARATION] - surface.offset_m) / surface.sigma_s_m, 0};
                 double area = over_asperities(f, 2);
                 assert_near(surface.density_per_m2 * M_PI * area, points[i].value[QUANTITY_AREA],
@@ -89,7 +87,7 @@ TEST_CASE(spots_in_the_limits)
         assert_near(jg[i].radius_m, gw[i].radius_m, 1e-8);
     }
     /* far apart, heights above the flat are exponential: F_3/2/F_1 = Gamma(5/2)/sqrt(d) */
-    struct statistical model = model_support_statistical(&surface, &pair, ASPERITY_HERTZ, 1e-10, INFINITY);
+    struct statistical model = model_support_statistical(&surface, &pair, false, 1e-10, INFINITY);
     double d = 35;
     struct contact_spots far = statistical_spots(&model, d);
     assert_near(far.radius_m, sqrt(surface.radius_m * surface.sigma_s_m / d) * 0.75 * sqrt(M_PI), 2e-3);

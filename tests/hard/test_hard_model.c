@@ -74,13 +74,13 @@ static void check_ends(const struct model_curve *curve, const struct model_row *
     bool empty = row->may_be_empty & QUANTITY_BIT(QUANTITY_ECR);
     assert_true(last->value[QUANTITY_AREA] == 1);
     assert_same_number(last->value[QUANTITY_ECR], empty ? NAN : 0, 0);
-    assert_true(last->value[QUANTITY_LOAD] == (row->asperity_model ? curve->full_load : 1e6));
-    assert_same_number(last->value[row->asperity_model ? QUANTITY_ADJUSTED : QUANTITY_SEPARATION], empty ? NAN : 0, 0);
+    assert_true(last->value[QUANTITY_LOAD] == (row->sums_asperities ? curve->full_load : 1e6));
+    assert_same_number(last->value[row->sums_asperities ? QUANTITY_ADJUSTED : QUANTITY_SEPARATION], empty ? NAN : 0, 0);
 }
 
 static void check_curve(const struct model_curve *curve, const struct model_row *row, const struct model_task *task)
 {
-    bool statistical = row->asperity_model != NULL;
+    bool statistical = row->sums_asperities;
     if (row->uses_strip || row->uses_map) { /* none is given */
         assert_false(curve->exists);
         return;
@@ -138,8 +138,8 @@ TEST_CASE(nothing_but_full_contact)
             struct contact_point points[4];
             struct model_task task = task_of(&spectrum, &surface, &pair, loads, count);
             struct model_curve curve = run(points, m, &task);
-            bool silent = model_rows[m]->largest_area > 0 && !model_rows[m]->asperity_model;
-            assert_int_equal(curve.count, silent ? 0 : model_rows[m]->asperity_model ? 1 : count);
+            bool silent = model_rows[m]->largest_area > 0 && !model_rows[m]->sums_asperities;
+            assert_int_equal(curve.count, silent ? 0 : model_rows[m]->sums_asperities ? 1 : count);
             assert_int_equal(curve.exists, !silent);
             bool empty = model_rows[m]->may_be_empty & QUANTITY_BIT(QUANTITY_ECR);
             for (size_t i = 0; i < curve.count; i++) {
@@ -163,7 +163,7 @@ TEST_CASE(no_asperities)
         struct contact_point points[3];
         struct model_curve curve = run(points, m, &task);
         assert_true(curve.exists ==
-                    !(model_rows[m]->asperity_model || model_rows[m]->uses_strip || model_rows[m]->uses_map));
+                    !(model_rows[m]->sums_asperities || model_rows[m]->uses_strip || model_rows[m]->uses_map));
         bool ends = model_rows[m]->plastic && model_rows[m]->largest_area > 0;
         assert_int_equal(curve.count, !curve.exists ? 0 : ends ? 1 : 2);
         hard_case("no asperities (σ_s² ≤ 0)", "the square root of a negative number",
@@ -200,7 +200,7 @@ TEST_CASE(every_choice_of_quantities)
                           "area, relative", off_by(some[i].value[QUANTITY_AREA], all[i].value[QUANTITY_AREA]), 1e-9);
                 for (int q = QUANTITY_ECR; q <= QUANTITY_TCR_SCALE_DEPENDENT; q++)
                     assert_same_number(some[i].value[q], wanted & QUANTITY_BIT(q) ? all[i].value[q] : NAN, 1e-9);
-                assert_true((wanted & QUANTITY_BIT(QUANTITY_SEPARATION)) || model_rows[m]->asperity_model ||
+                assert_true((wanted & QUANTITY_BIT(QUANTITY_SEPARATION)) || model_rows[m]->sums_asperities ||
                             isnan(some[i].value[QUANTITY_SEPARATION]));
             }
         }

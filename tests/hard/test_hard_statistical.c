@@ -5,10 +5,10 @@
 
 HARD_CASES("Statistical models, from 1e-300 of a load to complete contact")
 
-static struct statistical make(const struct asperities *surface, const struct material_pair *pair, int law,
+static struct statistical make(const struct asperities *surface, const struct material_pair *pair, bool plastic,
                                double lowest)
 {
-    return model_support_statistical(surface, pair, (enum asperity_model_id)law, 1e-10, lowest);
+    return model_support_statistical(surface, pair, plastic, 1e-10, lowest);
 }
 
 /** Area and load to 1e-9 though they are 1e-300, ratios of the integrals to 1e-10. */
@@ -21,8 +21,8 @@ TEST_CASE(matches_reference_far_out)
         struct asperities surface = model_support_asperities(
             table_number(&table, i, "m0_m2"), table_number(&table, i, "m2"), table_number(&table, i, "m4_per_m2"));
         double d = table_number(&table, i, "d_over_sigma_s");
-        int law = strcmp(table_text(&table, i, "model"), "jg") == 0 ? ASPERITY_JG : ASPERITY_HERTZ;
-        struct statistical model = make(&surface, &pair, law, fmin(d, 0));
+        bool plastic = strcmp(table_text(&table, i, "model"), "jg") == 0;
+        struct statistical model = make(&surface, &pair, plastic, fmin(d, 0));
         struct contact_point point;
         statistical_at(&point, &model, d);
         double area = table_number(&table, i, "area_ratio");
@@ -73,7 +73,7 @@ static void check_curve(const struct statistical *model)
         assert_true(value[QUANTITY_ECR] > 0 && value[QUANTITY_ECR] <= before.value[QUANTITY_ECR]);
         assert_true(value[QUANTITY_TCR] > 0 && value[QUANTITY_TCR_SCALE_DEPENDENT] >= value[QUANTITY_TCR]);
         assert_true(point.radius_clamped >= 0 && point.radius_clamped <= point.beyond_fit && point.beyond_fit <= 1);
-        assert_true(model->law == ASPERITY_JG || point.beyond_fit == 0);
+        assert_true(model->plastic || point.beyond_fit == 0);
         before = point;
     }
     static const double beyond[] = {1, 1 + 1e-15, 1e6};
@@ -107,9 +107,9 @@ TEST_CASE(every_surface_in_every_material)
                       off_by(surface.nayak, nayaks[k]), 1e-12);
             for (int y = 0; y < HARD_YIELD_RATIOS; y++)
                 for (int n = 0; n < HARD_NUS; n += 3)
-                    for (int law = 0; law < ASPERITY_MODEL_COUNT; law++) {
+                    for (int plastic = 0; plastic < 2; plastic++) {
                         struct material_pair pair = hard_pair(hard_yield_ratios[y], hard_nus[n]);
-                        struct statistical model = make(&surface, &pair, law, INFINITY);
+                        struct statistical model = make(&surface, &pair, plastic, INFINITY);
                         check_curve(&model);
                     }
         }
@@ -124,19 +124,19 @@ TEST_CASE(roots_of_full_contact)
             .radius_m = 1e-5, .sigma_s_m = 1e-7, .offset_m = 5e-8, .sigma_m = 1.2e-7, .nayak = 10};
         struct gaussian_integrals f = gaussian_integrals(target);
         surface.density_per_m2 = 1 / (M_PI * surface.radius_m * surface.sigma_s_m * f.one) * exp(-f.log_factor);
-        double d[ASPERITY_MODEL_COUNT];
-        for (int law = 0; law < ASPERITY_MODEL_COUNT; law++) {
-            struct statistical model = make(&surface, &pair, law, INFINITY);
+        double d[2];
+        for (int plastic = 0; plastic < 2; plastic++) {
+            struct statistical model = make(&surface, &pair, plastic, INFINITY);
             check_curve(&model);
             struct contact_point point;
             statistical_at(&point, &model, model.full_d);
             assert_near(point.value[QUANTITY_AREA], 1, 1e-12);
-            d[law] = model.full_d;
+            d[plastic] = model.full_d;
         }
         hard_case("complete contact at -60 to +8 σ_s", "no bracket holds the root",
                   "found from any density of asperities", "its place, in σ_s or relative",
-                  fabs(d[ASPERITY_HERTZ] - target) / fmax(1, fabs(target)), 1e-10);
-        assert_true(d[ASPERITY_JG] >= d[ASPERITY_HERTZ]); /* the larger area: beta_JG <= beta_GW */
+                  fabs(d[false] - target) / fmax(1, fabs(target)), 1e-10);
+        assert_true(d[true] >= d[false]); /* the larger area: beta_JG <= beta_GW */
     }
 }
 
@@ -146,8 +146,8 @@ TEST_CASE(first_guess_does_not_matter)
     static const double guesses[] = {-1e300, -1e9, -60, 0, 40, 1e4, 1e9, 1e300};
     struct material_pair pair = model_support_tin();
     struct asperities surface = model_support_asperities(1.156e-13, 0.0012, 4.5e8);
-    for (int law = 0; law < ASPERITY_MODEL_COUNT; law++) {
-        struct statistical model = make(&surface, &pair, law, INFINITY);
+    for (int plastic = 0; plastic < 2; plastic++) {
+        struct statistical model = make(&surface, &pair, plastic, INFINITY);
         for (double load = 1e-100; load < model.full_load; load *= 1e11) {
             double first = 3;
             struct contact_point point;

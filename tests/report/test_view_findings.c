@@ -167,7 +167,7 @@ static void as_the_thesis_has_it(struct surface_record *record, size_t index)
 {
     for (size_t m = 0; index < MADE_UP_USABLE && m < model_count; m++) {
         struct model_curve *curve = &record->curves[m];
-        bool statistical = model_rows[m]->asperity_model;
+        bool statistical = model_rows[m]->sums_asperities;
         curve->beta = statistical ? -1 : NAN; /* 0.5 σ left */
         if (model_rows[m]->stacks_scales && !model_rows[m]->plastic)
             curve->kink.load = 3 * record->curves[model_named("multiscale-plastic")].full_load;

@@ -18,8 +18,7 @@ struct integral {
 static double integrand(double u, void *context)
 {
     const struct integral *of = context;
-    struct asperity_contact contact;
-    asperity_models[of->model->law].press(&contact, &of->model->asperity, of->model->surface.sigma_s_m * u);
+    struct asperity_contact contact = asperity_press(&of->model->asperity, of->model->surface.sigma_s_m * u);
     const double value[QUANTITIES] = {contact.area_m2, contact.load_N, contact.radius_m};
     return value[of->quantity] * exp(-(u + of->d) * (u + of->d) / 2) / sqrt(2 * M_PI);
 }
@@ -70,7 +69,7 @@ static double simpson(struct integral *of, double intervals, uint64_t *evaluatio
 static double panels(struct integral *of, double tolerance, uint64_t *evaluations)
 {
     const struct statistical *model = of->model;
-    const struct quadrature_law law = {&model->asperity, model->law, model->surface.sigma_s_m, 0};
+    const struct quadrature_law law = {&model->asperity, model->surface.sigma_s_m, 0};
     struct quadrature laid;
     struct quadrature_sums sums;
     expect_ok(quadrature_make, &laid, &law, model->full_d, tolerance);
@@ -94,15 +93,15 @@ void quadrature_add(struct page *page)
 {
     struct material_pair pair = material_pair(material_find("tin"), MATERIAL_COUNTERFACE_RIGID, NULL);
     struct asperities surface = truths_asperities(2);
-    struct statistical models[ASPERITY_MODEL_COUNT];
+    struct statistical models[2];
     uint64_t evaluations;
     const struct model_task task = {.asperities = &surface, .pair = &pair, .tolerance = 1e-10};
-    for (int m = 0; m < ASPERITY_MODEL_COUNT; m++)
-        expect_ok(statistical_make, &models[m], &task, (enum asperity_model_id)m, INFINITY);
+    for (int m = 0; m < 2; m++)
+        expect_ok(statistical_make, &models[m], &task, m, INFINITY);
     page_rows(page, "quadrature");
     for (const struct row *row = rows; row < rows + sizeof rows / sizeof *rows; row++) {
         text_add(&page->text, "| %s | %g |", row->name, row->setting);
-        for (int m = 0; m < ASPERITY_MODEL_COUNT; m++) {
+        for (int m = 0; m < 2; m++) {
             double error = 0;
             for (int k = 0; k < SEPARATIONS * QUANTITIES; k++) {
                 double d = 4 + (models[m].full_d - 4) * (k / QUANTITIES) / (SEPARATIONS - 1);
@@ -114,6 +113,6 @@ void quadrature_add(struct page *page)
         }
         text_add(&page->text, "\n");
     }
-    for (int m = 0; m < ASPERITY_MODEL_COUNT; m++)
+    for (int m = 0; m < 2; m++)
         statistical_free(&models[m]);
 }

@@ -198,7 +198,7 @@ static void add_published(struct page *page)
     spectrum_free(&spectrum);
 }
 
-static double beta_of(const struct roughness *roughness, enum asperity_model_id law)
+static double beta_of(const struct roughness *roughness, bool plastic)
 {
     struct material_pair pair = material_pair(material_find("tin"), MATERIAL_COUNTERFACE_RIGID, NULL);
     struct asperities asperities;
@@ -206,7 +206,7 @@ static double beta_of(const struct roughness *roughness, enum asperity_model_id 
     const struct model_task task = {
         .asperities = &asperities, .pair = &pair, .wanted = QUANTITY_BIT(QUANTITY_SEPARATION), .tolerance = 1e-6};
     expect_ok(roughness_asperities, &asperities, roughness);
-    expect_ok(statistical_make, &model, &task, law, INFINITY);
+    expect_ok(statistical_make, &model, &task, plastic, INFINITY);
     double beta = model.beta;
     statistical_free(&model);
     return beta;
@@ -218,7 +218,7 @@ static double nayak_for(double beta)
     double low = 1, high = 1e6;
     for (int k = 0; k < 60; k++) {
         struct roughness middle = {.m0_m2 = 1, .m2 = 1, .m4_per_m2 = sqrt(low * high)};
-        *(beta_of(&middle, ASPERITY_HERTZ) > beta ? &low : &high) = middle.m4_per_m2;
+        *(beta_of(&middle, false) > beta ? &low : &high) = middle.m4_per_m2;
     }
     return high > 1 + 1e-9 ? high : NAN;
 }
@@ -260,8 +260,8 @@ static void remake(double out[REMADE], int surface)
                                   law.alpha,
                                   law.gamma,
                                   law.misfit_decades,
-                                  beta_of(&roughness, ASPERITY_HERTZ),
-                                  beta_of(&roughness, ASPERITY_JG),
+                                  beta_of(&roughness, false),
+                                  beta_of(&roughness, true),
                                   roughness_nayak(&roughness)};
     memcpy(out, found, sizeof found);
     spectrum_free(&spectrum);
