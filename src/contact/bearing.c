@@ -59,17 +59,12 @@ static void integrate_crossings(double *integral_m, const double *level_m, size_
         size_t n = rows->points, at = i % n;
         bool first = at == 0 && !rows->periodic, last = at + 1 == n && !rows->periodic;
         int turn = (!last && z[at + 1 < n ? at + 1 : 0] > z[at]) - (!first && z[at] > z[at > 0 ? at - 1 : n - 1]);
-        size_t low = 0, high = turn != 0 ? nodes : 0; /* nodes above z: those before `low` */
-        while (low < high) {
-            size_t middle = (low + high) / 2;
-            if (level_m[middle] > z[at] - lowest_m)
-                low = middle + 1;
-            else
-                high = middle;
-        }
-        if (low > 0) {
-            rising[low - 1] += turn;
-            integral_m[low - 1] -= turn * (z[at] - lowest_m);
+        size_t above = 0; /* nodes above z */
+        while (turn != 0 && above < nodes && level_m[above] > z[at] - lowest_m)
+            above++;
+        if (above > 0) {
+            rising[above - 1] += turn;
+            integral_m[above - 1] -= turn * (z[at] - lowest_m);
         }
     }
     for (size_t k = nodes; k-- > 0;) {

@@ -50,14 +50,7 @@ double cmy_microhardness(const struct cmy *surface, double pressure_Pa, double c
     double low = log(1e-300), high = log(0.5);
     if (!(exp(high) * cmy_spot_hardness(surface, exp(high), c1_Pa, c2) > pressure_Pa))
         return NAN;
-    for (int i = 0; i < 200; i++) {
-        double middle = low + (high - low) / 2;
-        if (middle <= low || middle >= high)
-            break;
-        if (exp(middle) * cmy_spot_hardness(surface, exp(middle), c1_Pa, c2) < pressure_Pa)
-            low = middle;
-        else
-            high = middle;
-    }
+    for (double middle; middle = low + (high - low) / 2, middle > low && middle < high;)
+        *(exp(middle) * cmy_spot_hardness(surface, exp(middle), c1_Pa, c2) < pressure_Pa ? &low : &high) = middle;
     return cmy_spot_hardness(surface, exp(high), c1_Pa, c2);
 }

@@ -2,6 +2,7 @@
 #include "contact/quadrature.h"
 
 #include "base/status.h"
+#include <assert.h>
 #include <gsl/gsl_integration.h>
 #include <math.h>
 #include <stdlib.h>
@@ -51,20 +52,15 @@ static size_t borders(double *border, const struct asperity *asperity, double si
     return count;
 }
 
-enum status_code quadrature_make(struct quadrature *out, const struct quadrature_law *law, double lowest_d,
-                                 double tolerance, struct status *status)
+enum status_code quadrature_make(struct quadrature *out, const struct asperity *asperity, double sigma_s_m,
+                                 double knudsen_length_m, double lowest_d, double tolerance, struct status *status)
 {
-    const struct asperity *asperity = law->asperity;
-    const double sigma_s_m = law->sigma_s_m, knudsen_length_m = law->knudsen_length_m;
     double border[PANELS_MOST];
     size_t order = panel_order(tolerance);
     *out = (struct quadrature){.log_cut = 8 - log(tolerance)};
     size_t panel_count =
         borders(border, asperity, sigma_s_m, knudsen_length_m, reach(fmin(lowest_d, 0), out->log_cut)) - 1;
-    if (panel_count + 1 == PANELS_MOST)
-        return status_fail(status, STATUS_MODEL,
-                           "separations down to %.4g sigma_s take more than %d panels; use models: [multiscale]",
-                           lowest_d, PANELS_MOST);
+    assert(panel_count + 1 < PANELS_MOST);
     out->count = panel_count * order;
     out->beyond_fit = asperity_interference_at(asperity, asperity_fitted_radius_ratio) / sigma_s_m;
     out->radius_clamped = asperity_interference_at(asperity, 1) / sigma_s_m;

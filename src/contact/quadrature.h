@@ -7,13 +7,6 @@
 #include "contact/asperity.h"
 #include <stddef.h>
 
-/** The integrand: an asperity law over a height distribution. */
-struct quadrature_law {
-    const struct asperity *asperity;
-    double sigma_s_m;
-    double knudsen_length_m; /* 0: no scale dependence */
-};
-
 /** u = omega/sigma_s; the rest is the law times the quadrature weight, 1/sqrt(2 pi) of the Gaussian included. */
 struct quadrature_node {
     double u, area, load, radius;  /* m², N, m */
@@ -38,9 +31,11 @@ struct quadrature_sums {
 
 /** Panels for (4.25), (4.26), (4.43*), (4.46*) and (4.51) under the Gaussian of (4.23), in t = sqrt(u) to remove the
  * square root at u = 0, with breaks where the law changes (1.9 omega_c, a/R = 0.41, a/R = 1); for d >= lowest_d (in
- * sigma_s), to a relative tolerance. Errors: STATUS_MEMORY; STATUS_MODEL when lowest_d is below about -2000. */
-MUST_CHECK enum status_code quadrature_make(struct quadrature *out, const struct quadrature_law *law, double lowest_d,
-                                            double tolerance, struct status *status);
+ * sigma_s), to a relative tolerance. knudsen_length_m 0: no scale dependence. lowest_d above about -2000. Error:
+ * STATUS_MEMORY. */
+MUST_CHECK enum status_code quadrature_make(struct quadrature *out, const struct asperity *asperity, double sigma_s_m,
+                                            double knudsen_length_m, double lowest_d, double tolerance,
+                                            struct status *status);
 void quadrature_free(struct quadrature *panels);
 
 /** All sums at separation d (in sigma_s) under the Gaussian of (4.23), d >= the lowest_d of quadrature_make(). */

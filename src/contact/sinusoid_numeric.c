@@ -73,14 +73,9 @@ struct piece {
 /** The piece around t = x^(1/3), 0 < t < 1. */
 static struct piece piece_at(double (*value)(int), double x)
 {
-    int low = 0, high = POINTS - 1;
-    while (high - low > 1) {
-        int middle = (low + high) / 2;
-        if (sinusoid_bem[middle - 1].x <= x)
-            low = middle;
-        else
-            high = middle;
-    }
+    int low = 0;
+    while (low < NODES && sinusoid_bem[low].x <= x)
+        low++;
     double t[4], y[4]; /* points low-1 ... low+2, those that exist */
     for (int k = 0; k < 4; k++) {
         int point = low - 1 + k;
@@ -90,7 +85,7 @@ static struct piece piece_at(double (*value)(int), double x)
     }
     double step = t[2] - t[1], secant = (y[2] - y[1]) / step;
     double slope_low = low > 0 ? steffen_slope(t, y) : 0;
-    double slope_high = high < POINTS - 1 ? steffen_slope(t + 1, y + 1) : end_slope(secant, slope_low);
+    double slope_high = low < NODES ? steffen_slope(t + 1, y + 1) : end_slope(secant, slope_low);
     if (low == 0)
         slope_low = end_slope(secant, slope_high);
     return (struct piece){t[1], step, y[1], y[2], slope_low, slope_high};

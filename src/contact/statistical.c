@@ -93,12 +93,12 @@ enum status_code statistical_make(struct statistical *out, const struct model_ta
     };
     struct statistical elastic = *out;
     const bool scale_dependent = is_scale_dependent(out);
-    const struct quadrature_law laid = {&out->asperity, surface->sigma_s_m,
-                                        scale_dependent ? out->spot.knudsen_length_m : 0};
     elastic.plastic = false;
     out->full_d = solve(&elastic, true, 0, 0); /* no law is needed below it */
     if ((plastic || scale_dependent) &&        /* else closed forms do */
-        quadrature_make(&out->panels, &laid, fmin(lowest_d, out->full_d), task->tolerance, status) != STATUS_OK)
+        quadrature_make(&out->panels, &out->asperity, surface->sigma_s_m,
+                        scale_dependent ? out->spot.knudsen_length_m : 0, fmin(lowest_d, out->full_d), task->tolerance,
+                        status) != STATUS_OK)
         return status->code;
     if (plastic)
         out->full_d = solve(out, true, 0, out->full_d);

@@ -23,8 +23,7 @@ struct statistical {
 };
 
 /** Prepares the model of a task, with beta (4.54), for separations down to full contact or to `lowest_d` sigma_s if
- * that is lower. Errors: STATUS_MEMORY; STATUS_MODEL when either is below about -2000 (not with
- * roughness_asperities()). */
+ * that is lower, above about -2000 (always so with roughness_asperities()). Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code statistical_make(struct statistical *out, const struct model_task *task, bool plastic,
                                              double lowest_d, struct status *status);
 void statistical_free(struct statistical *model);

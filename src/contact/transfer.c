@@ -157,15 +157,14 @@ static enum status_code make_elastic(struct transfer_curve *out, const struct sp
 /** Linear interpolation between ascending places, constant beyond the ends. */
 static double between(double at, const double *place, size_t step, const double *value, size_t stride, size_t count)
 {
-    size_t low = 0, high = count - 1;
+    size_t high = 1;
     if (count < 2 || at <= place[0])
         return value[0];
-    while (high > low + 1) {
-        size_t middle = (low + high) / 2;
-        *(place[middle * step] < at ? &low : &high) = middle;
-    }
-    double share = fmin(1, (at - place[low * step]) / (place[high * step] - place[low * step]));
-    return (1 - share) * value[low * stride] + share * value[high * stride];
+    while (high + 1 < count && place[high * step] < at)
+        high++;
+    const double *ends = place + (high - 1) * step, *values = value + (high - 1) * stride;
+    double share = fmin(1, (at - ends[0]) / (ends[step] - ends[0]));
+    return (1 - share) * values[0] + share * values[stride];
 }
 
 static const double bearing_first = -9, bearing_step = 0.2; /* in logit A */

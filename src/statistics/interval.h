@@ -14,7 +14,7 @@ struct interval {
     double sd;        /* of values of weight 1 */
     double s;         /* standard error of the mean */
     double degrees;   /* of freedom */
-    double level, t;  /* coverage, such as 0.95; Student's quantile at (1 + level)/2 */
+    double t;         /* Student's quantile at (1 + level)/2 */
     double low, high; /* mean -+ t s */
     double effective; /* sum of the weights */
 };
@@ -22,8 +22,8 @@ struct interval {
 /** One value per scan, in any order (they are summed in ascending order).
  *  mean = sum w y/sum w, sd² = sum w (y - mean)²/(M-1), s = sd/sqrt(sum w), M-1 degrees of freedom.
  * A scan of w subrecords weighs w: its value is the mean over them; weight NULL: 1 each. Student 1908,
- * doi:10.1093/biomet/6.1.1. 0 < level < 1. Errors: STATUS_SCAN for fewer than 2 values, one that is not finite or a
- * weight that is not finite and positive; STATUS_MEMORY. */
+ * doi:10.1093/biomet/6.1.1. 0 < level < 1, at least 2 values, all finite, and weights above 0. Error:
+ * STATUS_MEMORY. */
 MUST_CHECK enum status_code interval_scans(struct interval *out, const double *value, const double *weight,
                                            size_t count, double level, struct status *status);
 

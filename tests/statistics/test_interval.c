@@ -127,24 +127,6 @@ TEST_CASE(test_units_do_not_matter)
     assert_near(after.s, 1e-6 * before.s, 1e-8);
 }
 
-TEST_CASE(test_refusals)
-{
-    static const struct {
-        double value[3], weight[3];
-        size_t count;
-        const char *why;
-    } cases[] = {{{1}, {1}, 1, "at least 2 values; there is 1"},
-                 {{1, NAN, 2}, {1, 1, 1}, 3, "value 2 of 3"},
-                 {{1, 2, INFINITY}, {1, 1, 1}, 3, "value 3 of 3"},
-                 {{1, 2, 3}, {1, 0, 1}, 3, "weight 2 of 3"},
-                 {{1, 2, 3}, {1, NAN, 1}, 3, "weight 2 of 3"}};
-    for (size_t c = 0; c < sizeof cases / sizeof *cases; c++) {
-        struct interval out;
-        expect_fails(STATUS_SCAN, cases[c].why, interval_scans, &out, cases[c].value, cases[c].weight, cases[c].count,
-                     0.95);
-    }
-}
-
 TEST_CASE(test_pieces_reach_from_end_to_end)
 {
     for (size_t shortest = 1; shortest < 40; shortest++)

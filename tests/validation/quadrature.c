@@ -69,10 +69,9 @@ static double simpson(struct integral *of, double intervals, uint64_t *evaluatio
 static double panels(struct integral *of, double tolerance, uint64_t *evaluations)
 {
     const struct statistical *model = of->model;
-    const struct quadrature_law law = {&model->asperity, model->surface.sigma_s_m, 0};
     struct quadrature laid;
     struct quadrature_sums sums;
-    expect_ok(quadrature_make, &laid, &law, model->full_d, tolerance);
+    expect_ok(quadrature_make, &laid, &model->asperity, model->surface.sigma_s_m, 0, model->full_d, tolerance);
     *evaluations = laid.count;
     quadrature_sum(&sums, &laid, of->d);
     quadrature_free(&laid);
