@@ -5,7 +5,7 @@
 #include "base/clock.h"
 #include "spectrum/multitaper.h"
 #include "spectrum/simulated_record.h"
-#include "statistics/single_scan.h"
+#include "statistics/estimate.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -80,6 +80,12 @@ struct joint_task {
  * (A/A_n)(ECR A_n)/(pi rho). NaN above the area ratio up to which spots are independent, 0.1. */
 struct contact_spots joint_equal_spots(double area_ratio, double ecr_ohm_m2, double resistivity_ohm_m);
 
+/** Resistance of the plated side of a spot of radius a over rho_1/(4a), that of a body of the plating's metal: 1 +
+ * (4/pi) sum_{n>=1} Q^n [atan(1/(nT)) - (nT/2) ln(1 + 1/(nT)²)], T = thickness/a, Q = (rho_2-rho_1)/(rho_2+rho_1),
+ * resistivity rho_1 of the plating, rho_2 of the body. The flux is taken as that of a spot on a uniform body, so it is
+ * an upper bound (Thomson's principle), exact for T = 0 (rho_2/rho_1) and T = infinity (1). */
+double plating_factor(double thickness_over_radius, double plating_resistivity, double body_resistivity);
+
 /** Is there a filler with a bond line? */
 bool joint_has_bond_line(const struct joint_task *task);
 /** Does the bond line of a filler hold the mean planes apart at this point? */

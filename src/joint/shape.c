@@ -116,10 +116,6 @@ static size_t place_of(size_t k, size_t n)
 enum status_code shape_make(struct shape *out, size_t nx, size_t ny, const double side_m[2], struct status *status)
 {
     *out = (struct shape){.nx = nx, .ny = ny, .cells = nx * ny, .side_m = {side_m[0], side_m[1]}};
-    if (nx < 2 || ny < 2 || nx > SHAPE_SIDE_MOST || ny > SHAPE_SIDE_MOST || !(side_m[0] > 0 && side_m[1] > 0) ||
-        !isfinite(side_m[0] + side_m[1]))
-        return status_fail(status, STATUS_USAGE, "an area of %g m x %g m in %zu x %zu cells cannot be solved",
-                           side_m[0], side_m[1], nx, ny);
     out->pair = fftw_alloc_complex(out->cells);
     out->turns = calloc(out->cells, sizeof *out->turns);
     out->place = calloc(out->cells, sizeof *out->place);

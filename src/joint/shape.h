@@ -17,7 +17,6 @@
 #include <gsl/gsl_interp.h>
 #include <stddef.h>
 
-enum { SHAPE_SIDE_MOST = 1024 };         /* cells */
 extern const double shape_largest_area;  /* area ratio above which a model's curves are not used: all is close to 0 */
 extern const double shape_yielding_most; /* share of the load in cells at the hardness; above it there is no answer */
 
@@ -60,8 +59,7 @@ struct shape {
     size_t steps; /* of Newton's method that the last shape_press() took */
 };
 
-/** 2 to SHAPE_SIDE_MOST cells a side. FFTW_ESTIMATE makes the result the same in every thread and run.
- * Errors: STATUS_USAGE: other grids, a side that is no length; STATUS_MEMORY. */
+/** Two cells a side at least. FFTW_ESTIMATE makes the result the same in every thread and run. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code shape_make(struct shape *out, size_t nx, size_t ny, const double side_m[2],
                                        struct status *status);
 void shape_free(struct shape *shape);

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "material/material.h"
 
+#include "base/constants.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -219,4 +221,11 @@ struct material_pair material_pair_unknown(void)
 double material_pair_pressure(const struct material_pair *pair, double load)
 {
     return pair->unknown ? NAN : load * pair->effective_modulus_Pa;
+}
+
+double electron_mean_free_path(double density_per_m3, double resistivity_ohm_m)
+{
+    double charge = constant_electron_charge_C, reduced_planck = constant_planck_J_s / (2 * M_PI);
+    double product = reduced_planck / charge * cbrt(3 * M_PI * M_PI) / charge / pow(density_per_m3, 2.0 / 3);
+    return product / resistivity_ohm_m;
 }

@@ -90,4 +90,9 @@ struct material_pair material_pair_unknown(void);
 /** P/A_n [Pa] at P/(A_n E') = load; NaN where no material is given. */
 double material_pair_pressure(const struct material_pair *pair, double load);
 
+/** Mean free path of electrons in a metal, l = (rho l)/rho [m], rho l = hbar (3 pi²)^(1/3)/(e² n^(2/3)) of n free
+ * electrons per m³ (Drude's formula, spherical Fermi surface; Ashcroft and Mermin 1976, Solid State Physics). In a
+ * metal electrons carry the heat; (4.52) is for phonons. */
+double electron_mean_free_path(double density_per_m3, double resistivity_ohm_m);
+
 #endif

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "scene/scene.h"
-#include "joint/electron.h"
 #include "scene/plan.h"
 #include "scene/scene_source.h"
 

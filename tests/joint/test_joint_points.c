@@ -3,7 +3,6 @@
 #include "joint/joint.h"
 
 #include "joint/heating.h"
-#include "joint/plating.h"
 #include "support.h"
 
 static struct contact_point point_of(double area, double separation_m)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The plating factor against tests/data/golden/models/layer.csv, its Hankel integral, and its limits. */
-#include "joint/plating.h"
+#include "joint/joint.h"
 #include "support.h"
 
 TEST_CASE(matches_reference)

@@ -291,8 +291,4 @@ TEST_CASE(curves)
                      wrong[i].hardness_Pa);
         shape_curve_free(&gap);
     }
-    struct shape shape;
-    const double side_m[] = {1e-2, 0};
-    expect_fails(STATUS_USAGE, "", shape_make, &shape, 64, 64, side_m);
-    shape_free(&shape);
 }

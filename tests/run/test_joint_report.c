@@ -5,7 +5,6 @@
 #include "joint/gas.h"
 #include "joint/heating.h"
 #include "joint/joint.h"
-#include "joint/plating.h"
 #include "run/pipeline.h"
 
 #include <jansson.h>

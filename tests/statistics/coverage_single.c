@@ -3,8 +3,8 @@
 
 #include "spectrum/multitaper.h"
 #include "spectrum/simulated_record.h"
+#include "statistics/estimate.h"
 #include "statistics/interval.h"
-#include "statistics/single_scan.h"
 #include <math.h>
 #include <string.h>
 

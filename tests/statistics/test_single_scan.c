@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "statistics/single_scan.h"
+#include "statistics/estimate.h"
 #include "support.h"
 
 /* s² = s_r² + s_Q²/2. */

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Electrons' mean free path against tests/data/golden/models/electron.csv. */
 #include "base/constants.h"
-#include "joint/electron.h"
 #include "material/material.h"
 #include "support.h"
 
