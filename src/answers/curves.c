@@ -78,7 +78,7 @@ static double nearest_beta(const struct surface_record *record, size_t m, const 
         if (own[QUANTITY_LOAD] != multiscale[QUANTITY_LOAD] || joint_is_held(&curve->points[i], joint) ||
             joint_is_held(&other->points[i], joint))
             continue;
-        sum += statistical_beta_multiscale(&own[QUANTITY_SEPARATION], &multiscale[QUANTITY_SEPARATION], 1,
+        sum += statistical_beta_multiscale(own[QUANTITY_SEPARATION], multiscale[QUANTITY_SEPARATION],
                                            record->summary.asperities.sigma_m);
         count++;
     }

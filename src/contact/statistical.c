@@ -177,11 +177,7 @@ void statistical_full(struct contact_point *out, const struct statistical *model
             out->value[q] = 0;
 }
 
-double statistical_beta_multiscale(const double *separation_m, const double *multiscale_m, size_t count, double sigma_m)
+double statistical_beta_multiscale(double separation_m, double multiscale_m, double sigma_m)
 {
-    /* delta/2 + beta sigma/4 = H in the mean square: beta is the mean of 4 (H - delta/2)/sigma */
-    double sum = 0;
-    for (size_t i = 0; i < count; i++)
-        sum += 4 * (multiscale_m[i] - separation_m[i] / 2) / sigma_m;
-    return count > 0 ? sum / (double)count : NAN;
+    return 4 * (multiscale_m - separation_m / 2) / sigma_m; /* delta/2 + beta sigma/4 = H */
 }

@@ -44,9 +44,7 @@ struct contact_spots statistical_spots(const struct statistical *model, double d
 /** Full contact: area ratio 1, adjusted separation and resistances 0. */
 void statistical_full(struct contact_point *out, const struct statistical *model);
 
-/** The other estimate of beta in (4.54): least-squares fit of delta_ADJ(P) to the multiscale separations [m] at `count`
- * common loads. */
-double statistical_beta_multiscale(const double *separation_m, const double *multiscale_m, size_t count,
-                                   double sigma_m);
+/** The beta in (4.54) for which delta_ADJ is the multiscale separation at a load. */
+double statistical_beta_multiscale(double separation_m, double multiscale_m, double sigma_m);
 
 #endif

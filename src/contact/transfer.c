@@ -213,14 +213,8 @@ static bool hardened(double out[3], const struct yielding *of, double load)
     return area <= exp(elastic->value[elastic->count - 1][0]);
 }
 
-/** ln ratios at some loads. */
-struct ratios {
-    size_t count;
-    double ln_load[TRANSFER_LOADS], value[TRANSFER_LOADS][3];
-};
-
-/** Adds `weight` times the ln ratio of a square's solutions with the hardness to their closed form; NaN: none. */
-static void add_capped(struct ratios *out, const struct transfer_square *square, const struct yielding *of,
+/** Adds `weight` times the ln ratios of a square's solutions with the hardness to their closed form; NaN: none. */
+static void add_capped(struct transfer_curve *out, const struct transfer_square *square, const struct yielding *of,
                        double weight)
 {
     for (size_t k = 0; k < out->count; k++) {
@@ -234,7 +228,7 @@ static void add_capped(struct ratios *out, const struct transfer_square *square,
 }
 
 /** Removes loads with NaN. */
-static void keep_finite(struct ratios *ratios)
+static void keep_finite(struct transfer_curve *ratios)
 {
     size_t kept = 0;
     for (size_t k = 0; k < ratios->count; k++)
@@ -246,7 +240,7 @@ static void keep_finite(struct ratios *ratios)
 }
 
 /** The curve with the hardness: the closed form times the ratios. */
-static void make_capped(struct transfer_curve *out, const struct yielding *of, const struct ratios *ratios)
+static void make_capped(struct transfer_curve *out, const struct yielding *of, const struct transfer_curve *ratios)
 {
     const struct transfer_curve *elastic = of->elastic;
     double value[3];
@@ -271,7 +265,7 @@ enum status_code transfer_make(struct transfer *out, const struct transfer_squar
     struct strip *strip = calloc(count + 1, sizeof *strip), *joined = strip ? strip + count : NULL;
     struct persson own = {0}, whole = {0};
     double bearing[TRANSFER_BEARING] = {0};
-    struct ratios capped = {.count = squares->loads[1]};
+    struct transfer_curve capped = {.count = squares->loads[1]};
     enum status_code rc = strip ? persson_make(&whole, &out->spectrum, 0, status) : status_memory(status);
     for (size_t s = 0; s < count && rc == STATUS_OK; s++) {
         const struct transfer_square *square = &squares->square[s];

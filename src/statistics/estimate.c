@@ -7,7 +7,8 @@
 #include <stdlib.h>
 
 const double estimate_level = 0.95;
-const struct estimate estimate_none = ESTIMATE_NONE;
+const struct estimate estimate_none = {
+    .mean = NAN, .sd = NAN, .s = NAN, .degrees = NAN, .half_width = NAN, .next_half_width = NAN, .effective = NAN};
 
 /** The value or its logarithm; NaN: not known. */
 static double scaled(double value, bool logarithmic)
@@ -34,7 +35,7 @@ static struct estimate from_interval(const struct interval *interval, bool logar
         .s = interval->s,
         .degrees = interval->degrees,
         .half_width = bounded(interval->mean, half_width, logarithmic),
-        .next_half_width = bounded(interval->mean, interval_next_half_width(interval, 1), logarithmic),
+        .next_half_width = bounded(interval->mean, interval_next_half_width(interval), logarithmic),
         .effective = interval->effective,
         .logarithmic = logarithmic,
     };

@@ -25,10 +25,6 @@ struct estimate {
 };
 
 /** Not known. */
-#define ESTIMATE_NONE                                                                                                  \
-    {                                                                                                                  \
-        .mean = NAN, .sd = NAN, .s = NAN, .degrees = NAN, .half_width = NAN, .next_half_width = NAN, .effective = NAN  \
-    }
 extern const struct estimate estimate_none;
 
 /** From `count` scans in any order, with weights (NULL: 1 each). Values, not logarithms; if one is not finite (or not

@@ -58,10 +58,9 @@ enum status_code interval_scans(struct interval *out, const double *value, const
     return STATUS_OK;
 }
 
-double interval_next_half_width(const struct interval *interval, double weight)
+double interval_next_half_width(const struct interval *interval)
 {
-    assert(weight > 0);
-    return interval->t * hypot(interval->sd / sqrt(weight), interval->s);
+    return interval->t * hypot(interval->sd, interval->s);
 }
 
 size_t interval_subrecords(size_t points, size_t shortest)

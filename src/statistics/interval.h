@@ -27,8 +27,8 @@ struct interval {
 MUST_CHECK enum status_code interval_scans(struct interval *out, const double *value, const double *weight,
                                            size_t count, double level, struct status *status);
 
-/** Half-width of the interval about the mean that holds one more scan of this weight: t sqrt(sd²/w + s²). */
-double interval_next_half_width(const struct interval *interval, double weight);
+/** Half-width of the interval about the mean that holds one more scan of weight 1: t sqrt(sd² + s²). */
+double interval_next_half_width(const struct interval *interval);
 
 /** (1 + level)/2 quantile of Student's t. degrees > 0, not always whole. */
 double interval_quantile(double level, double degrees);

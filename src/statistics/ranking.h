@@ -19,7 +19,7 @@ struct ranking ranking_welch(const struct interval *a, const struct interval *b,
 
 /** Holm's step-down adjustment of `count` p values, so that p limits the chance of any false verdict among them:
  * p_(r) -> max over q <= r of min(1, (count - q + 1) p_(q)), r = 1 ... by size (Holm 1979, Scand. J. Stat. 6, 65).
- * adjusted may be p. Errors: STATUS_SCAN for p outside 0 ... 1; STATUS_MEMORY. */
+ * adjusted may be p. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code ranking_holm(double *adjusted, const double *p, size_t count, struct status *status);
 
 /** Index of the pair i < j among the count (count - 1)/2: 01 02 ... 12 13 ... */

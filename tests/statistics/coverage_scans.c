@@ -32,7 +32,7 @@ static void cover(struct range range[3], const double *answer, size_t scans, siz
         expect_ok(interval_scans, &high, answer + first, NULL, m, 0.95);
         inside[0] += truth >= low.low && truth <= low.high;
         inside[1] += truth >= high.low && truth <= high.high;
-        inside[2] += fabs(answer[first + m] - high.mean) <= interval_next_half_width(&high, 1);
+        inside[2] += fabs(answer[first + m] - high.mean) <= interval_next_half_width(&high);
     }
     for (int i = 0; i < 3; i++)
         widen(&range[i], inside[i] / sets);
