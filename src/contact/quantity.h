@@ -107,7 +107,6 @@ struct quantity_row {
     const char *name;         /* in results.json and data/, with its SI unit */
     const char *short_symbol; /* in running text: "ECR" */
     const char *unit;         /* SI, "" for a ratio */
-    const char *meaning;      /* in docs/report.md */
     unsigned effect;          /* EFFECT_BITs, any of which asks for it; 0: in every run */
     unsigned from;            /* QUANTITY_BITs it is computed from after a model has run; 0: the model computes it */
     unsigned is;              /* the bits above */
