@@ -94,8 +94,6 @@ double gas_conductance(double conductivity_W_per_mK, double sigma_m, double sepa
                        double area_ratio, double tolerance)
 {
     double gap_m = fmax(separation_m, 0), open = fmax(1 - area_ratio, 0);
-    if (isinf(jump_length_m))
-        return 0;
     if (!(sigma_m > 0))
         return open * conductivity_W_per_mK / (gap_m + jump_length_m);
     double whole = gas_gap_integral(gap_m / sigma_m, jump_length_m / sigma_m, tolerance);
