@@ -209,18 +209,11 @@ static enum status_code find_errors(struct uncertainty *out, const struct uncert
 static struct estimate estimate_at(const struct uncertainty *uncertainty, const struct model_row *model,
                                    enum quantity quantity, const struct contact_point *point, double sigma_m)
 {
-    double ln_known[UNCERTAINTY_LOADS], s[UNCERTAINTY_LOADS];
-    size_t count = 0;
-    for (size_t i = 0; i < uncertainty->loads; i++)
-        if (!isnan(uncertainty->s[quantity][i])) {
-            ln_known[count] = uncertainty->ln_load[i];
-            s[count++] = uncertainty->s[quantity][i];
-        }
-    if (count == 0)
-        return estimate_none;
-    return estimate_of_error(quantity_shown(point, model_shown(model, quantity), sigma_m),
-                             single_scan_s_at(log(point->value[QUANTITY_LOAD]), ln_known, s, count),
-                             SINGLE_SCAN_DEGREES);
+    double s = single_scan_s_at(log(point->value[QUANTITY_LOAD]), uncertainty->ln_load, uncertainty->s[quantity],
+                                uncertainty->loads);
+    return isnan(s) ? estimate_none
+                    : estimate_of_error(quantity_shown(point, model_shown(model, quantity), sigma_m), s,
+                                        SINGLE_SCAN_DEGREES);
 }
 
 /** Puts the estimates at one load into the band. */

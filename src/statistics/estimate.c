@@ -151,13 +151,14 @@ double single_scan_s(const double *record, size_t records, const double *quarter
 
 double single_scan_s_at(double ln_load, const double *node_ln_load, const double *node_s, size_t nodes)
 {
-    assert(nodes > 0);
-    if (ln_load <= node_ln_load[0])
-        return node_s[0];
-    for (size_t i = 1; i < nodes; i++)
-        if (ln_load <= node_ln_load[i]) {
-            double share = (ln_load - node_ln_load[i - 1]) / (node_ln_load[i] - node_ln_load[i - 1]);
-            return node_s[i - 1] + share * (node_s[i] - node_s[i - 1]);
-        }
-    return node_s[nodes - 1];
+    double at = NAN, s = NAN; /* the last known node below */
+    for (size_t i = 0; i < nodes; i++) {
+        if (isnan(node_s[i]))
+            continue;
+        if (ln_load <= node_ln_load[i])
+            return isnan(s) ? node_s[i] : s + (ln_load - at) / (node_ln_load[i] - at) * (node_s[i] - s);
+        at = node_ln_load[i];
+        s = node_s[i];
+    }
+    return s;
 }

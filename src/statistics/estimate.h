@@ -58,7 +58,7 @@ enum {
  * half of the records have one. */
 double single_scan_s(const double *record, size_t records, const double *quarter, size_t quarters);
 
-/** s at a load, linear in ln load between ascending nodes, constant beyond the ends. */
+/** s at a load, linear in ln load between the ascending nodes where it is not NaN, constant beyond the ends. */
 double single_scan_s_at(double ln_load, const double *node_ln_load, const double *node_s, size_t nodes);
 
 #endif

@@ -32,4 +32,8 @@ TEST_CASE(test_between_loads)
     for (size_t i = 0; i < 6; i++)
         assert_near(single_scan_s_at(expected[i][0], ln_load, s, 3), expected[i][1], 1e-15);
     assert_near(single_scan_s_at(0, ln_load, s, 1), 0.1, 1e-15);
+    const double known[3] = {NAN, 0.4, NAN}; /* constant about the one that is known */
+    for (double at = -20; at < 1; at++)
+        assert_near(single_scan_s_at(at, ln_load, known, 3), 0.4, 1e-15);
+    assert_true(isnan(single_scan_s_at(-6, ln_load, known, 1)));
 }
