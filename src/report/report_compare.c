@@ -112,6 +112,13 @@ static double on_curve(const json_t *values, size_t before, double share)
     return value * pow(next / value, share);
 }
 
+/** E' of a surface: its own, else the scene's; NaN: no material is known. */
+static double modulus_of(const struct compared *all, size_t k, const char *name)
+{
+    const double own_Pa = real(get(all->surfaces[k], name, "effective_modulus_Pa"));
+    return own_Pa > 0 ? own_Pa : real(get(all->results[k], "scene", "effective_modulus_Pa"));
+}
+
 /** At the pressure of `reference`; NULL: at its own operating load. */
 static struct side side_of(const struct compared *all, size_t k, const char *name, const struct number *number,
                            const struct side *reference)
@@ -121,9 +128,7 @@ static struct side side_of(const struct compared *all, size_t k, const char *nam
     const bool bare = !json_object_get(operating, quantity_rows[QUANTITY_JOINT_ECR].name); /* no film, no plating */
     const bool joint = number->quantity == QUANTITY_JOINT_ECR;
     const enum quantity quantity = joint && bare ? QUANTITY_ECR : number->quantity;
-    double own_Pa = real(json_object_get(surface, "effective_modulus_Pa"));
-    double all_Pa = real(get(all->results[k], "scene", "effective_modulus_Pa"));
-    double modulus_Pa = own_Pa > 0 ? own_Pa : all_Pa > 0 ? all_Pa : 1;
+    const double known_Pa = modulus_of(all, k, name), modulus_Pa = known_Pa > 0 ? known_Pa : 1;
     struct contact_point at;
     struct side out = {
         .scans = string(surface, "sha256"), .joint = joint && !bare, .ends = {NAN, NAN}, .known = estimate_none};
@@ -530,12 +535,12 @@ static enum status_code add_report(json_t *view, struct compared *all, const cha
     {
         json_object_set(surfaces, string(surface, "surface"), surface);
     }
-    double modulus_Pa = real(get(results, "scene", "effective_modulus_Pa"));
     double load = real(get(results, "scene", "operating_load_over_AnEp")), tolerance, area_m2;
+    all->results[all->count] = results;
+    all->surfaces[all->count] = surfaces;
+    const double modulus_Pa = modulus_of(all, all->count++, string(json_object_get(results, "scene"), "baseline"));
     if (get(results, "scene", "load_unit"))
         give_back_loads(json_object_get(results, "scene"), modulus_Pa);
-    all->results[all->count] = results;
-    all->surfaces[all->count++] = surfaces;
     json_set_count(item, "report", ++all->reports);
     view_text(item, "path", path);
     view_text(item, "leading", string(results, "leading"));

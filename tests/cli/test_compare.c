@@ -351,6 +351,9 @@ TEST_IN_WORKSPACE(numbers_are_in_the_units_of_the_scene)
         at(view, "surfaces.0.numbers.0.unit", filled("\"%s\"", cases[i].unit));
         assert_near(at(view, "ranking.lines.0.value", NULL), 3e-9, 1e-12); /* SI, per area, with the film */
     }
+    /* the load is the baseline's, and so over the E' of its own material */
+    workspace_shell(place, "sed -i 's|\"sha256\"|\"effective_modulus_Pa\": 2e11, &|' a/results.json b/results.json");
+    at(compare(place, "a", "b", ""), "load", "\"20.0\u00a0MPa\"");
 }
 
 /* More reports than fit side by side are only ranked; beyond 100 without letters. */
