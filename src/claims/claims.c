@@ -388,7 +388,8 @@ static bool measured(struct claims *c)
     if (fit->count == 0)
         return true;
     put_number(c, "factor", factor, factor, digits, "");
-    put_range(c, "interval", isfinite(low) ? low : factor, isfinite(high) ? high : factor, digits, "");
+    if (isfinite(low) && isfinite(high)) /* a single point has none */
+        put_range(c, "interval", low, high, digits, "");
     put_text(c, "quantity", words_say(c->words, "asked.%s", quantity_rows[results_measured_quantity(c->results)].name));
     c->key = "measured-beside";
     if (!known_value(c->results, c->asked.quantity, c->i).measured)

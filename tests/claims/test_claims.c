@@ -27,8 +27,8 @@ static void read_rows(void)
     }
 }
 
-/** Scans of four surfaces, three of each, one whose ends are open, one that is refused, two with copies, and three
- * measurements: as the model, of parts that are not flat, and with a resistance in series. */
+/** Scans of four surfaces, three of each, one whose ends are open, one that is refused, two with copies, and
+ * measurements: as the model, of parts that are not flat, with a resistance in series, and of a single point. */
 static void make_folder(const char *place)
 {
     static const struct {
@@ -60,6 +60,7 @@ static void make_folder(const char *place)
                     {"m40", "load_N,resistance_mohm", -0.4, 0},
                     {"mser", "load_N,resistance_mohm", -0.95, 0.5},
                     {"mtcr", "load (N),R (K/W)", -0.95, 0}};
+    workspace_shell(place, "cd d && printf 'load_N,resistance_mohm\\n1,0.9\\n' >mone.txt");
     for (size_t m = 0; m < 4; m++) {
         struct text *text = support_text();
         text_add(text, "%s\n", measured[m].heading);
