@@ -375,16 +375,16 @@ static struct row surface_row(const struct source *source, size_t surface)
 {
     const struct asked *asked = &source->asked;
     const struct known known = known_shown(source->results, asked, NULL, surface);
-    const bool bound = known.kind != KNOWN_VALUE;
+    const bool bound = known.kind != KNOWN_VALUE, measured = known.measured && !known.beyond;
     struct row row = {.value = known.kind == KNOWN_NOTHING ? NAN : known.value,
-                      .ends = {bound ? NAN : known.low, bound ? NAN : known.high},
+                      .ends = {bound || known.beyond ? NAN : known.low, bound || known.beyond ? NAN : known.high},
                       .surface = surface,
-                      .marker = known.measured ? 5
-                                : bound        ? 6
-                                               : 7,
-                      .notes = known.measured ? NOTE(FIGURE_MEASURED)
-                               : bound        ? NOTE(FIGURE_BOUND)
-                                              : 0};
+                      .marker = measured ? 5
+                                : bound  ? 6
+                                         : 7,
+                      .notes = measured ? NOTE(FIGURE_MEASURED)
+                               : bound  ? NOTE(FIGURE_BOUND)
+                                        : 0};
     row.place = asked->more_is_better ? -row.value : row.value;
     return row;
 }

@@ -392,12 +392,13 @@ static bool measured(struct claims *c)
         put_range(c, "interval", low, high, digits, "");
     put_text(c, "quantity", words_say(c->words, "asked.%s", quantity_rows[results_measured_quantity(c->results)].name));
     c->key = "measured-beside";
-    if (!known_value(c->results, c->asked.quantity, c->i).measured)
+    const struct known value = known_value(c->results, c->asked.quantity, c->i),
+                       load = c->asked.target ? known_load(c->results, c->asked.target, c->i)
+                                              : (struct known){.kind = KNOWN_NOTHING};
+    if (!value.measured)
         return true;
-    c->key = "measured";
-    const struct known load =
-        c->asked.target ? known_load(c->results, c->asked.target, c->i) : (struct known){.kind = KNOWN_NOTHING};
-    if (load.kind != KNOWN_VALUE || !load.measured)
+    c->key = value.beyond || load.beyond ? "measured-beyond" : "measured";
+    if (value.beyond || load.beyond || load.kind != KNOWN_VALUE || !load.measured)
         return true;
     c->key = "measured-target";
     put_asked(c, "target", c->asked.target);
@@ -1087,9 +1088,10 @@ static bool add_part(struct claims *c, const char *before, size_t surface)
     tell(c, "low", known.low, 2);
     tell(c, "high", known.high, 2);
     snprintf(name, sizeof name, "headline.%s-%s%s", target ? "load" : "value", kinds[known.kind],
-             is && known.measured ? "-measured"
-             : has                ? "-interval"
-                                  : "");
+             !is || known.beyond ? ""
+             : known.measured    ? "-measured"
+             : has               ? "-interval"
+                                 : "");
     return add_words(c, name);
 }
 

@@ -33,7 +33,7 @@ static void put_known(json_t *out, json_t *row, const char *name, const struct v
         view_text(cell, "interval", text_string(&interval));
         view_flag(out, target ? "load_95" : "value_95", true);
     }
-    view_flag(cell, "measured", known.measured && known.kind != KNOWN_NOTHING);
+    view_flag(cell, "measured", known.measured && !known.beyond && known.kind != KNOWN_NOTHING);
     view_flag(cell, "overloaded", known.overloaded);
     if (known.overloaded)
         view_flag(out, "some_overloaded", true);

@@ -179,18 +179,19 @@ static double carried_factor(const struct results *results, enum quantity quanti
     return estimate_value(fit);
 }
 
-/** Where a measured curve passes `at` of one of its columns on the way up, the other column: straight in the
- * logarithms, the mean over the runs that pass it; NaN: none does. */
+/** Where a measured curve passes `at` of one of its columns on the way up, or has it, the other column: straight in
+ * the logarithms, the mean over the runs that pass it; NaN: none does. */
 static double passing(const struct measured *measured, const double *column, const double *other, double at)
 {
     double sum = 0;
     size_t count = 0;
     for (size_t r = 0; r < measured->run_count; r++)
-        for (size_t i = measured->runs[r].first; i < measured->runs[r].turn; i++) {
+        for (size_t i = measured->runs[r].first; i <= measured->runs[r].turn; i++) {
             const double *x = &column[i], *y = &other[i];
-            if ((x[0] - at) * (x[1] - at) > 0 || x[0] == x[1])
+            const bool has = fabs(x[0] / at - 1) < 1e-9;
+            if (!has && (i == measured->runs[r].turn || !((x[0] - at) * (x[1] - at) < 0)))
                 continue;
-            sum += log(y[0]) + log(y[1] / y[0]) * log(at / x[0]) / log(x[1] / x[0]);
+            sum += log(y[0]) + (has ? 0 : log(y[1] / y[0]) * log(at / x[0]) / log(x[1] / x[0]));
             count++;
             break;
         }
@@ -244,6 +245,7 @@ struct known known_value(const struct results *results, enum quantity quantity, 
                      passing(measured, measured->load, measured->resistance, results_operating_load(results, surface)),
                  half = isnan(fit->half_width) ? NAN : fit->half_width;
     out.value = here > 0 ? measured_as(quantity, here) : model / measured_as(quantity, carried);
+    out.beyond = !(here > 0);
     out.kind = isfinite(out.value) ? KNOWN_VALUE : KNOWN_NOTHING;
     out.low = out.value * exp(-half);
     out.high = out.value * exp(half);
@@ -273,6 +275,7 @@ struct known known_load(const struct results *results, const struct scene_asked 
                                         : measured_as(target->quantity, target->value);
         const double load = passing(measured, measured->resistance, measured->load, resistance);
         out.low = out.high = NAN;
+        out.beyond = !(load > 0);
         if (load > 0) {
             out.kind = KNOWN_VALUE;
             out.value = load;

@@ -65,6 +65,7 @@ struct known {
     double value;
     double low, high; /* 95 % interval, low first; NaN: not known */
     bool measured;    /* of the surface's own measurement, or of the model by the factor that it carries */
+    bool beyond;      /* of these the second: the test does not have it */
     bool overloaded;  /* of an elastic model whose contact bears more than the hardness */
     bool short_loads; /* the interval's end lies beyond the loads of the report, and wider ones would close it */
 };
