@@ -560,11 +560,18 @@ static bool scans_to_decide(struct claims *c)
             const struct surface_summary *s = summary_of(c, usable(c, k));
             const struct limit_check *check = &s->limits[l];
             const struct scene_asked *limit = &c->results->scene->limits[l];
-            const struct estimate *known = results_estimate(c->results, usable(c, k), limit->quantity);
-            const double sd = known->count > 1 ? known->sd : known->s;
-            if (check->verdict != LIMIT_UNDECIDED || !(sd > 0) || s->has_map)
+            const bool heats = limit->quantity == QUANTITY_TEMPERATURE; /* whose scatter is that of its voltage */
+            const struct estimate *known =
+                results_estimate(c->results, usable(c, k), heats ? QUANTITY_VOLTAGE : limit->quantity);
+            const double sd = known->count > 1 ? known->sd : known->s,
+                         around_K = c->results->scene->joint.temperature_K,
+                         ratio = heats
+                                     ? heating_voltage(check->value, around_K) / heating_voltage(limit->value, around_K)
+                                     : check->value / limit->value;
+            if (check->verdict != LIMIT_UNDECIDED || !(sd > 0) || s->has_map ||
+                known_value(c->results, limit->quantity, usable(c, k)).measured)
                 continue;
-            const size_t more = more_scans(sd, known->model_sd, fabs(log(check->value / limit->value)), s->scans);
+            const size_t more = more_scans(sd, known->model_sd, fabs(log(ratio)), s->scans);
             if (more == 0)
                 continue;
             put_count(c, "scans", more);

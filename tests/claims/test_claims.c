@@ -60,7 +60,7 @@ static void make_folder(const char *place)
                     {"m40", "load_N,resistance_mohm", -0.4, 0},
                     {"mser", "load_N,resistance_mohm", -0.95, 0.5},
                     {"mtcr", "load (N),R (K/W)", -0.95, 0}};
-    workspace_shell(place, "cd d && printf 'load_N,resistance_mohm\\n1,0.9\\n' >mone.txt");
+    workspace_shell(place, "cd d && printf 'load_N,resistance_mohm\\n1,9\\n' >mone.txt");
     for (size_t m = 0; m < 4; m++) {
         struct text *text = support_text();
         text_add(text, "%s\n", measured[m].heading);
