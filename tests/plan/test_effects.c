@@ -139,7 +139,7 @@ PLACED(test_convergence_is_asked_for)
     scene.effects = EFFECT_BIT(EFFECT_CONVERGENCE);
     plan_make(&made, &scene, support_words());
     assert_true(plan_runs(&made, EFFECT_CONVERGENCE));
-    assert_string_equal(made.reasons[EFFECT_CONVERGENCE], "listed in the scene");
+    assert_string_equal(made.reasons[EFFECT_CONVERGENCE], "called for");
     scene.effects = 0;
 }
 
