@@ -276,7 +276,8 @@ TEST_IN_PLACE(a_plating_has_its_hardness)
         else
             expect_no_parts(page, "The hardness is");
     }
-    const json_t *thick = results_of(place, BRONZE "plating: {metal: tin, thickness: 20 um}\n");
+    const json_t *thick = results_of(place, BRONZE "plating: {metal: tin, thickness: 20 um}\nexport: comsol\n");
+    expect_in_file(place, "out/export/a.comsol.txt", "\n% Hc 100000000[Pa] hardness\n");
     const struct cmy surface = {json_number_at(thick, "surfaces/0/sigma_m"),
                                 json_number_at(thick, "surfaces/0/mean_slope")};
     const double indent_um = 1e6 * cmy_indent_m(&surface, 0.01); /* 1 MPa on 100 MPa */
