@@ -888,7 +888,7 @@ static bool duplicates(struct claims *c)
 {
     size_t copies = 0;
     for (size_t i = 0; i < c->results->surface_count; i++)
-        for (size_t n = 0; n < summary_of(c, i)->notes.count; n++) {
+        for (size_t n = 0; summary_of(c, i)->usable && n < summary_of(c, i)->notes.count; n++) {
             const struct note *note = &summary_of(c, i)->notes.notes[n];
             if (!note->subject || strncmp(note->what, "note.copy\n", strlen("note.copy\n")) != 0)
                 continue;
