@@ -356,6 +356,21 @@ TEST_IN_WORKSPACE(numbers_are_in_the_units_of_the_scene)
     at(compare(place, "a", "b", ""), "load", "\"20.0\u00a0MPa\"");
 }
 
+/* The ranking's test is that of a report: a surface of one scan is not held to scatter less than such do on average,
+ * one of several scans is. */
+TEST_IN_WORKSPACE(one_scan_alone_takes_the_usual_scatter)
+{
+    for (int scans = 1; scans <= 3; scans += 2) {
+        const char *const s[] = {"0.05", "0.05", "0.5"};
+        for (int i = 0; i < 3; i++)
+            make_results(
+                place, (const char *const[]){"a", "b", "c"}[i], "s", 1 + 0.5 * i,
+                filled("'geometric': true, 'scans': %d, 'standard_error': %s, 'degrees_of_freedom': 4", scans, s[i]));
+        json_t *view = process_json(expect_exit(place, 0, "compare", "a", "b", "c", "--json"));
+        at(view, LINE(1, "worse"), scans > 1 ? "true" : "false");
+    }
+}
+
 /* More reports than fit side by side are only ranked; beyond 100 without letters. */
 TEST_IN_WORKSPACE(many_reports_make_one_table)
 {
