@@ -108,21 +108,22 @@ enum status_code comparison_make(struct comparison *out, const struct results *r
 {
     const struct estimate *estimates[COMPARISON_RANKED_MOST];
     size_t surfaces = 0;
-    *out = (struct comparison){.criterion = results_criterion(results)};
+    const bool filmed = results_asked_quantity(results) == QUANTITY_JOINT_ECR;
+    *out = (struct comparison){.criterion = filmed ? QUANTITY_JOINT_ECR : results_criterion(results)};
     for (size_t k = 0; k < results->usable_count; k++)
-        surfaces += isfinite(results_cost(results, results->by_roughness[k])) ? 1 : 0;
+        surfaces += isfinite(results_cost(results, results->by_roughness[k], out->criterion)) ? 1 : 0;
     if (surfaces == 0 || surfaces > COMPARISON_RANKED_MOST)
         return STATUS_OK;
     out->surface = malloc(surfaces * sizeof *out->surface);
     if (!out->surface)
         return status_memory(status);
     for (size_t i = 0; i < results->surface_count; i++) {
-        const double cost = results_cost(results, i);
+        const double cost = results_cost(results, i, out->criterion);
         const struct estimate *estimate = results_estimate(results, i, out->criterion);
         if (!isfinite(cost) || estimate->count == 0 || isnan(estimate->half_width))
             continue;
         size_t at = out->count++;
-        for (; at > 0 && cost < results_cost(results, out->surface[at - 1]); at--)
+        for (; at > 0 && cost < results_cost(results, out->surface[at - 1], out->criterion); at--)
             out->surface[at] = out->surface[at - 1];
         out->surface[at] = i;
     }

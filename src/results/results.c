@@ -167,9 +167,8 @@ const struct estimate *results_estimate(const struct results *results, size_t su
     return isnan(leading->operating.value[quantity]) ? &estimate_none : curve_summary_estimate(leading, (int)quantity);
 }
 
-double results_cost(const struct results *results, size_t surface)
+double results_cost(const struct results *results, size_t surface, enum quantity criterion)
 {
-    const enum quantity criterion = results_criterion(results);
     const struct curve_summary *leading =
         surface_model(&results->surfaces[surface].summary, plan_leading_model(results->plan));
     const double value = leading->exists ? leading->operating.value[criterion] : NAN;
@@ -189,7 +188,9 @@ static int compare_roughness(const void *a, const void *b, void *context)
 static int compare_answers(const void *a, const void *b, void *context)
 {
     const struct results *results = context;
-    double x = results_cost(results, *(const size_t *)a), y = results_cost(results, *(const size_t *)b);
+    const enum quantity criterion = results_criterion(results);
+    double x = results_cost(results, *(const size_t *)a, criterion),
+           y = results_cost(results, *(const size_t *)b, criterion);
     return x < y ? -1 : x > y ? 1 : compare_roughness(a, b, results->surfaces);
 }
 

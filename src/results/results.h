@@ -64,8 +64,8 @@ enum quantity results_asked_quantity(const struct results *results);
 /** What surfaces are held against each other by: ECR where the run computes it and not heat is asked for, else TCR,
  * else the area. */
 enum quantity results_criterion(const struct results *results);
-/** That number of a surface in the leading model where the summary stands, less is better; INFINITY: it has none. */
-double results_cost(const struct results *results, size_t surface);
+/** The number of a surface in the leading model where the summary stands, less is better; INFINITY: it has none. */
+double results_cost(const struct results *results, size_t surface, enum quantity criterion);
 /** How far the leading model's quantity of a surface may be off, where the summary stands. */
 const struct estimate *results_estimate(const struct results *results, size_t surface, enum quantity quantity);
 /** The wavelength at which the power laws of all surfaces are held against each other: the middle of what their bands

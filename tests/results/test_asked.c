@@ -56,9 +56,9 @@ TEST_CASE(digits_are_those_that_an_interval_leaves)
 TEST_WITH(what_is_less_is_better, NULL, end)
 {
     made_up_make(&made, NULL);
-    assert_near(results_cost(&made.results, 1), 0.5e-10, 1e-12);
+    assert_near(results_cost(&made.results, 1, results_criterion(&made.results)), 0.5e-10, 1e-12);
     made_up_free(&made);
     made_up_make_of(&made, made_up_models(), EFFECT_BIT(EFFECT_PLASTICITY), NULL);
-    assert_near(results_cost(&made.results, 1), -0.2, 1e-12);
-    assert_true(isinf(results_cost(&made.results, 3)));
+    assert_near(results_cost(&made.results, 1, results_criterion(&made.results)), -0.2, 1e-12);
+    assert_true(isinf(results_cost(&made.results, 3, results_criterion(&made.results))));
 }
