@@ -472,7 +472,10 @@ static bool rank(struct claims *c)
         add_name(&like, ranking->surface[j]);
     }
     p = like.count > 0 ? p : comparison_pair_of(ranking, 0, 1)->p;
-    put_text(c, "quantity", words_say(c->words, "rank.%s", quantity_rows[ranking->criterion].name));
+    const bool joint = quantity_of_joint(ranking->criterion);
+    put_text(
+        c, "quantity",
+        words_say(c->words, joint ? "%s" : "rank.%s", joint ? c->asked.name : quantity_rows[ranking->criterion].name));
     put_surface(c, ranking->surface[0]);
     put_text(c, "next", name_of(c, ranking->surface[1]));
     (void)put_names(c, &like);

@@ -108,8 +108,9 @@ enum status_code comparison_make(struct comparison *out, const struct results *r
 {
     const struct estimate *estimates[COMPARISON_RANKED_MOST];
     size_t surfaces = 0;
-    const bool filmed = results_asked_quantity(results) == QUANTITY_JOINT_ECR;
-    *out = (struct comparison){.criterion = filmed ? QUANTITY_JOINT_ECR : results_criterion(results)};
+    const enum quantity asked = results_asked_quantity(results);
+    const bool joined = asked == QUANTITY_JOINT_ECR || asked == QUANTITY_SHAPE_JOINT || asked == QUANTITY_SHAPE_ECR;
+    *out = (struct comparison){.criterion = joined ? asked : results_criterion(results)};
     for (size_t k = 0; k < results->usable_count; k++)
         surfaces += isfinite(results_cost(results, results->by_roughness[k], out->criterion)) ? 1 : 0;
     if (surfaces == 0 || surfaces > COMPARISON_RANKED_MOST)

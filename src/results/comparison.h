@@ -17,7 +17,7 @@ enum { COMPARISON_RANKED_MOST = 100 /* surfaces; a report ranks no more, and mor
 /** The surfaces ranked by the criterion in the leading model at the operating load, and tests of its logarithm. A
  * surface whose scatter is unknown has no place. */
 struct comparison {
-    enum quantity criterion; /* ECR, with film and plating where that is asked for, else TCR, else area */
+    enum quantity criterion; /* that asked for of film, plating and shape; else ECR, else TCR, else area */
     size_t count;            /* places; 0 where there are more than COMPARISON_RANKED_MOST surfaces with an answer */
     size_t *surface;         /* their indices, the best first; owned, as are: */
     struct comparison_pair *pairs; /* [ranking_pair(i, j, count)], i and j places in `surface` */
