@@ -82,7 +82,8 @@ static void put_table(json_t *out, const struct view_source *source)
 {
     const struct results *results = source->results;
     const struct scene *scene = results->scene;
-    const bool lettered = results->usable_count > 2 && ranking_is_told(source);
+    const bool lettered = results->usable_count > 2 && ranking_is_told(source) &&
+                          source->comparison->criterion == source->asked.quantity; /* what the column shows */
     json_t *rows = view_list(out, "rows");
     for (size_t i = 0; i < results->surface_count; i++)
         if (results->surfaces[i].summary.usable && json_array_size(rows) < VIEW_ROWS)

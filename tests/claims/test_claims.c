@@ -159,7 +159,7 @@ TEST_IN_WORKSPACE(every_row_holds)
 }
 
 /** The first table has letters of three surfaces or more, where a claim says what the ranking finds: not beside a
- * measured number. */
+ * measured number, nor beside one that is not ranked. */
 TEST_IN_WORKSPACE(two_surfaces_need_no_letters)
 {
     static const char letters[] = "Surfaces with a letter in common";
@@ -168,7 +168,8 @@ TEST_IN_WORKSPACE(two_surfaces_need_no_letters)
     } cases[] = {{"", NULL},
                  {", {name: B, file: \"b-*.csv\"}", NULL},
                  {", {name: B, file: \"b-*.csv\"}, {name: D, file: \"d-*.csv\"}", letters},
-                 {", {name: B, file: \"b-*.csv\", measured: {file: m95.txt}}, {name: D, file: \"d-*.csv\"}", NULL}};
+                 {", {name: B, file: \"b-*.csv\", measured: {file: m95.txt}}, {name: D, file: \"d-*.csv\"}", NULL},
+                 {", {name: B, file: \"b-*.csv\"}, {name: D, file: \"d-*.csv\"}], targets: [{gap: 1 um}", NULL}};
     make_folder(place);
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         claims_of(place, filled("{material: bronze, counterface: same, nominal_area: 1 mm2, operating_load: 1 N, "
