@@ -260,6 +260,7 @@ enum status_code uncertainty_run(struct surface_record *record, const struct sur
     struct surface_summary *summary = &record->summary;
     struct model_task counted = *task;
     counted.evaluations = &summary->simulated_evaluations;
+    counted.transfer = NULL; /* records have spectra of their own */
     double started = clock_seconds();
     const struct joint_task joint = surface_joint(record, asked->scene, asked->plan, task);
     const struct surface_record *const bodies[] = {record, record->counterface};

@@ -358,6 +358,7 @@ enum status_code all_surfaces_run(struct all_surfaces *out, const struct scene *
         effects_decide(&out->plan, scene, results->surfaces, results->surface_count);
     ran.running = out->plan.running;
     ran.wanted = out->plan.wanted;
+    ran.beside = out->plan.beside;
     all.plan = &ran; /* each surface runs those of its models that can answer */
     if (curves && curve_tables_open(&all.tables, results, curves, status) != STATUS_OK)
         return curve_tables_close(all.tables, status);
