@@ -183,19 +183,6 @@ static enum status_code solve_strips(struct surface_record *record, const struct
     return rc;
 }
 
-/** What the low-pass of a map has changed; where all spots yield, say, not the area. */
-static void note_low_pass(struct note_list *notes, const double changed[3])
-{
-    static const char *const names[] = {"area by about", "gap by", "resistance by"};
-    struct text told = {0};
-    for (int q = 0; q < 3; q++)
-        if (isfinite(changed[q]) && fabs(expm1(changed[q])) >= 5e-4)
-            text_add(&told, "\n%s %s %+.2g", told.length > 0 ? "others" : "first", names[q], 100 * expm1(changed[q]));
-    if (told.length > 0)
-        note_add(notes, NULL, "note.low_pass%s", text_string(&told));
-    text_free(&told);
-}
-
 /** Solves the map if models use it. Without a solution they are taken out of the plan. */
 static enum status_code solve_tiles(struct surface_record *record, struct plan *plan, const struct threads *threads,
                                     struct status *status)
@@ -213,7 +200,7 @@ static enum status_code solve_tiles(struct surface_record *record, struct plan *
     summary->tile_transforms = tiles->transforms;
     summary->times.tiles = clock_seconds() - started;
     if (summary->has_tiles && tiles->def.cutoff > 0)
-        note_low_pass(&summary->notes, tiles->low_pass);
+        note_add(&summary->notes, NULL, "note.low_pass");
     if (summary->has_tiles)
         return STATUS_OK;
     summary->tile_cost = 0; /* a larger budget would not help */

@@ -923,9 +923,11 @@ static enum status_code write_map(const struct surface_record *record, const cha
     text_add(&data, "\n\n");
     for (size_t i = 0; i < contact->points; i++)
         text_add(&data, "%.6g,%.6g\n", (double)i * contact->spacing_m * length, contact->pressure[i] * stress);
-    json_t *view = json_pack("{ss so ss si sf sf sb sb}", "name", name, "title", json_shown(title), "length_unit",
-                             small ? "µm" : "mm", "cells", (int)cells, "side", side_m * length, "section",
-                             contact->section_m * length, "has_material", !pair->unknown, "flows", flows);
+    const bool turned = source->results->scene->direction == SCAN_DIRECTION_Y; /* the map was, to read its columns */
+    json_t *view = json_pack("{ss so ss ss ss si sf sf sb sb}", "name", name, "title", json_shown(title), "length_unit",
+                             small ? "µm" : "mm", "along", turned ? "y" : "x", "across", turned ? "x" : "y", "cells",
+                             (int)cells, "side", side_m * length, "section", contact->section_m * length,
+                             "has_material", !pair->unknown, "flows", flows);
     if (flows)
         json_set(view, "hardness", pair->hardness_Pa / pair->effective_modulus_Pa * stress);
     enum status_code rc = mustache_file(&script, source->templates, "charts/map", view, chart_escape);

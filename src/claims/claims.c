@@ -262,7 +262,7 @@ static bool beyond_hardness(struct claims *c)
     put_text(c, "label", model->label);
     put_number(c, "area", model->largest_area, 100 * model->largest_area, 2, "%");
     c->key = yields ? "beyond-hardness" : "beyond-model";
-    return isnan(answer(c, c->i, QUANTITY_AREA)) &&
+    return isnan(answer(c, c->i, QUANTITY_AREA)) && surface_model(summary_of(c, c->i), c->leading)->exists &&
            (yields || (model->ends && (!model->uses_strip || summary_of(c, c->i)->has_strips)));
 }
 
@@ -600,9 +600,10 @@ static double waves_sd(const struct claims *c, size_t surface)
 {
     const double few = accuracy_few_waves_sd(c->results, surface),
                  own = model_sd(model_rows[c->leading], c->asked.quantity, surface_knows_both(summary_of(c, surface)));
+    const struct known known = known_value(c->results, c->asked.quantity, surface);
     const double of_answer = results_estimate(c->results, surface, c->asked.quantity)->model_sd;
-    if (!(few > 0) || model_rows[c->leading]->uses_map || nothing_touches(c, surface) ||
-        known_value(c->results, c->asked.quantity, surface).measured)
+    if (!(few > 0) || model_rows[c->leading]->uses_map || nothing_touches(c, surface) || known.measured ||
+        known.kind == KNOWN_NOTHING)
         return 0;
     return of_answer > 0 ? of_answer * few / hypot(few, own) : quantity_of_joint(c->asked.quantity) ? 0 : few;
 }
@@ -819,8 +820,8 @@ static double share_of(const struct claims *c, size_t surface)
     const struct scene *scene = c->results->scene;
     const double carrying = summary_of(c, surface)->carrying;
     switch (c->row->effect) {
-    case EFFECT_GAP: /* where nothing touches, bond-line says it */
-        return nothing_touches(c, surface)
+    case EFFECT_GAP: /* where nothing touches, bond-line says it; of a measured conductance it is not known */
+        return nothing_touches(c, surface) || known_value(c->results, QUANTITY_JOINT, surface).measured
                    ? NAN
                    : 100 * answer(c, surface, QUANTITY_GAP) / answer(c, surface, QUANTITY_JOINT);
     case EFFECT_FILM:

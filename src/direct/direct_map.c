@@ -138,7 +138,8 @@ enum status_code direct_map_condition(double *height_m, struct direct_map_def *d
     def->periodic = along.count == ny && across.count == nx && along.seam <= most_seam * along.inside &&
                     across.seam <= most_seam * across.inside;
     bool noisy = !(along.noise + across.noise <= noise_share * (along.slope + across.slope));
-    def->cutoff = !as_measured && (noisy || along.count + across.count == 0) ? cutoff_spacings : 0;
+    if (!(def->cutoff > 0))
+        def->cutoff = !as_measured && (noisy || along.count + across.count == 0) ? cutoff_spacings : 0;
     if (def->cutoff <= 0)
         return STATUS_OK;
     const struct scan scan = {.nx = nx, .ny = ny, .z_m = height_m};

@@ -26,7 +26,8 @@ struct direct_map_lines direct_map_lines(size_t nx, size_t ny, bool columns);
  * over its columns, the mean square second difference across the join of their ends is at most 3 times that inside (as
  * in record_window_is_periodic() of one record). Where waves shorter than 6 spacings have more than 2 % of the mean
  * square slope, or this cannot be told, a Gaussian low-pass of ISO 16610-61 with that cut-off removes them; beyond its
- * edges the map is continued by its mirror image. `as_measured`: no low-pass. Error: STATUS_MEMORY. */
+ * edges the map is continued by its mirror image. A cut-off in `def` takes the place of that one; `as_measured`: else
+ * no low-pass. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code direct_map_condition(double *height_m, struct direct_map_def *def, bool as_measured,
                                                  struct status *status);
 

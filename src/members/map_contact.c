@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "members/map_contact.h"
 
-#include "direct/direct_quantities.h"
+#include "direct/direct_contact.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -112,6 +112,7 @@ static enum status_code draw_contact(struct map_contact *out, const struct direc
     for (size_t i = 0; i < n; i++)
         out->pressure[i] = pressure_at(field, section * n + i);
     out->section_m = (double)section * out->spacing_m;
+    out->touched = (double)touching / (double)(n * n);
     out->flowed = touching > 0 ? (double)flowing / (double)touching : 0;
     out->cells = cells;
     return take_spots(out, field, touching, status);
@@ -127,7 +128,6 @@ static enum status_code solve_square(struct map_contact *out, const struct direc
     if (rc == STATUS_OK && (rc = direct_contact_make(&contact, map->height_m, &map->grid, status)) == STATUS_OK) {
         if ((rc = direct_contact_solve(&contact, load, status)) == STATUS_OK) {
             memcpy(field.left, direct_contact_touching(&contact), n * n);
-            out->area_ratio = direct_quantities_of(&contact, load).area_ratio;
             rc = draw_contact(out, map, &field, load->hardness, status);
         }
         direct_contact_free(&contact);

@@ -21,7 +21,7 @@ struct map_contact {
     enum { MAP_OPEN, MAP_TOUCHES, MAP_FLOWS } * is; /* the same: the highest of its points */
     size_t points;                                  /* along the section, the row that carries most: */
     double spacing_m, section_m, *pressure;         /* where it lies; p/E' along it */
-    double area_ratio, flowed;                      /* share in contact; share of that at the hardness */
+    double touched, flowed;                         /* share of the points in contact; share of these at the hardness */
     size_t spot_count;
     struct map_spot *spots; /* NULL: none, or more than MAP_CONTACT_SPOTS */
 };

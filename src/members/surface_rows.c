@@ -165,7 +165,11 @@ static enum status_code condition_map(struct areal_parameters of[2], struct dire
 {
     struct status none = {0}; /* a map without a plane has no parameters, and no usable row */
     size_t side = scan->nx < scan->ny ? scan->nx : scan->ny;
-    *map = (struct direct_map_def){.nx = scan->nx, .ny = scan->ny, .dx_m = scan->dx_m, .dy_m = scan->dy_m};
+    *map = (struct direct_map_def){.nx = scan->nx,
+                                   .ny = scan->ny,
+                                   .dx_m = scan->dx_m,
+                                   .dy_m = scan->dy_m,
+                                   .cutoff = scene->lambda_s_m / scan->dx_m};
     (void)!areal_parameters_of(&of[0], scan, &none);
     if (direct_map_condition(scan->z_m, map, scene->lambda_s_given && !(scene->lambda_s_m > 0), status) != STATUS_OK)
         return status->code;
@@ -225,10 +229,10 @@ static void note_map(const struct surface_scans *task, const char *file, const s
 {
     size_t used = scan->ny - unusable;
     note_add(&task->record->summary.notes, file,
-             "note.map\n%s %.3g\nsq %.3g\nsq_left %.3g\nslope %.2g\nslope_left %.2g\nused %zu\n%s\n%s %zu",
-             map->cutoff > 0 ? "cutoff_um" : "whole", map->cutoff * map->dx_m * 1e6, of[0].sq_m * 1e6, of[1].sq_m * 1e6,
-             of[0].sdq, of[1].sdq, used, task->scene->direction == SCAN_DIRECTION_X ? "" : "columns",
-             run < used ? "run" : "all", run);
+             "note.map\n%s %.3g\n%s\nsq %.3g\nsq_left %.3g\nslope %.2g\nslope_left %.2g\nused %zu\n%s\n%s %zu",
+             map->cutoff > 0 ? "cut" : "whole", map->cutoff * map->dx_m * 1e6,
+             task->scene->lambda_s_m > 0 ? "" : "noisy", of[0].sq_m * 1e6, of[1].sq_m * 1e6, of[0].sdq, of[1].sdq, used,
+             task->scene->direction == SCAN_DIRECTION_X ? "" : "columns", run < used ? "run" : "all", run);
 }
 
 /** The first map of a surface gives its lay and the square for the direct study. */
@@ -258,12 +262,12 @@ enum status_code surface_rows_add(const struct surface_scans *task, struct scan 
     struct surface_summary *summary = &task->record->summary;
     struct ensemble *set = &task->record->ensemble;
     const struct scene *scene = task->scene;
-    const struct profile_options how = {.level = scene->level,
-                                        .max_missing = scene->max_missing,
-                                        .lambda_s_m = scene->lambda_s_m,
-                                        .lambda_c_m = scene->lambda_c_m,
-                                        .tip_radius_m = scene->tip_radius_m,
-                                        .periodic_mean = !scene->level_given};
+    struct profile_options how = {.level = scene->level,
+                                  .max_missing = scene->max_missing,
+                                  .lambda_s_m = scene->lambda_s_m,
+                                  .lambda_c_m = scene->lambda_c_m,
+                                  .tip_radius_m = scene->tip_radius_m,
+                                  .periodic_mean = !scene->level_given};
     struct direct_map_def map = {0};
     size_t unusable = 0, run_before = set->count;
     bool areal = scan->kind == SCAN_AREAL, first_file = summary->scans == 0;
@@ -272,10 +276,18 @@ enum status_code surface_rows_add(const struct surface_scans *task, struct scan 
     double sq_m2 = NAN;
     struct areal_parameters of[2] = {{0}}; /* a map, as measured and after the low-pass */
     struct status first = {0};
+    const double side_m = fmin((double)scan->nx * scan->dx_m, (double)scan->ny * scan->dy_m);
+    if (areal && scene->lambda_s_m > side_m * (1 + 1e-9))
+        return status_fail(status, STATUS_SCAN,
+                           "%s: lambda_s is %.6g m, longer than a side of the map of %.6g m; give a shorter one", name,
+                           scene->lambda_s_m, side_m);
     if ((areal && condition_map(of, &map, scan, scene, status) != STATUS_OK) ||
         repeats_add_scan(set, status) != STATUS_OK)
         return status->code;
-    const double cutoff_m = fmax(summary->cutoff_m, map.cutoff * map.dx_m);
+    double cutoff_m = fmax(summary->cutoff_m, map.cutoff * map.dx_m);
+    struct profile_options had = how; /* how its heights were conditioned */
+    had.lambda_s_m = fmax(scene->lambda_s_m, cutoff_m);
+    how.lambda_s_m = areal ? 0 : scene->lambda_s_m; /* a map was filtered in both directions */
     for (size_t row = 0; row < scan->ny; row++) {
         struct profile profile;
         struct status problem = {0};

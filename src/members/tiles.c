@@ -300,8 +300,6 @@ static void find_errors(struct transfer_errors *out, struct work *work, int kind
             double error = of[DIRECT_MAP_WHOLE] - of[DIRECT_MAP_SECOND];
             double wider =
                 direct_map_has(&work->first, DIRECT_MAP_WIDER) ? of[DIRECT_MAP_WIDER] - of[DIRECT_MAP_SECOND] : 0;
-            if (k == ladder.loads / 2)
-                work->tiles->low_pass[q] = wider;
             out->value[k][q] = hypot(hypot(error, wider), quartered(work) ? scatter(of + DIRECT_MAP_QUARTER, 4)
                                                                           : scatter(over, work->count));
         }

@@ -16,8 +16,6 @@ struct tiles {
     struct direct_map_def def;  /* of the whole map */
     size_t side, columns, rows; /* of a square, in points; squares that are solved, across and down */
     struct transfer *transfer;  /* NULL: not solved */
-    double low_pass[3];         /* about what the low-pass changed, at a middle load: ln of area, gap and constriction
-                                   length; 0: no low-pass */
     struct status problem;      /* why not */
     uint64_t transforms;        /* cost of solving: pairs of transforms times points */
 };

@@ -544,11 +544,12 @@ static void fill_spots(struct table *table, const struct results *results, size_
 {
     const struct surface_record *record = &results->surfaces[index];
     const struct material_pair *pair = &record->summary.pair;
+    const bool turned = results->scene->direction == SCAN_DIRECTION_Y; /* the map was, to read its columns */
     for (size_t i = 0; record->contact.spots && i < record->contact.spot_count; i++) {
         const struct map_spot *spot = &record->contact.spots[i];
         put_text(table, "surface", record->summary.scene->name);
-        put_number(table, "x_m", spot->x_m);
-        put_number(table, "y_m", spot->y_m);
+        put_number(table, "x_m", turned ? spot->y_m : spot->x_m);
+        put_number(table, "y_m", turned ? spot->x_m : spot->y_m);
         put_number(table, "area_m2", spot->area_m2);
         put_number(table, "load_N", pair->unknown ? NAN : spot->force_m2 * pair->effective_modulus_Pa);
         end_row(table);

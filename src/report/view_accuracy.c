@@ -32,6 +32,8 @@ static void put_models(json_t *out, const struct view_source *source)
         view_text(row, "label", model_rows[m]->label);
         json_set(row, "factor", model_factor(accuracy.sd));
         json_set(row, "here", accuracy.here);
+        if (model_rows[m]->uses_map)
+            view_flag(out, "map", true);
         put_seconds(row, "time", accuracy.seconds[accuracy.used]);
         coarsest += accuracy.seconds[0];
         finest += accuracy.seconds[BENCHMARK_STEPS - 1];

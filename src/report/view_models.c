@@ -27,6 +27,13 @@ static bool in_table(const struct view_source *source, enum quantity quantity)
     return wants(source, quantity) && quantity_rows[quantity].panels[0].file && !quantity_of_joint(quantity);
 }
 
+/** Has this model a gap that is adjusted, and so a β? */
+static bool adjusts(const struct view_source *source, size_t m)
+{
+    const struct plan *plan = source->results->plan;
+    return plan_runs_model(plan, m) && (model_rows[m]->quantities & plan->wanted & QUANTITY_BIT(QUANTITY_ADJUSTED));
+}
+
 /** A model on the baseline where the summary stands. */
 static void put_model(json_t *out, const struct view_source *source, size_t m)
 {
@@ -53,6 +60,8 @@ static void put_model(json_t *out, const struct view_source *source, size_t m)
          above = comparison_overloaded(results, m, surface);
     view_flag(row, "invalid", invalid);
     view_flag(row, "above_hardness", above);
+    if (adjusts(source, m))
+        view_flag(out, "any_adjusted", true);
     if (invalid)
         view_flag(out, "any_invalid", true);
     if (above)
@@ -92,13 +101,6 @@ static void put_one_surface(json_t *out, const struct view_source *source)
     if (json_object_get(item, "rows"))
         json_object_set(out, "one_surface", item);
     json_decref(item);
-}
-
-/** Has this model a gap that is adjusted, and so a β? */
-static bool adjusts(const struct view_source *source, size_t m)
-{
-    const struct plan *plan = source->results->plan;
-    return plan_runs_model(plan, m) && (model_rows[m]->quantities & plan->wanted & QUANTITY_BIT(QUANTITY_ADJUSTED));
 }
 
 /** Table 6.3: β of each surface, by full contact and by the multiscale model. */

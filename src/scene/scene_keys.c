@@ -406,7 +406,10 @@ const struct scene_key scene_keys[] = {
      "that 95 of 100 answers are to lie within, as 200 % (a factor of 3): of the models that docs/validation.md finds "
      "as good the cheapest runs alone; default: none is asked, and all run",
      SCENE_QUANTITY(AT(accuracy), UNIT_NUMBER | UNIT_PERCENT, 1e-3, 1e3)},
-    {"level", "what is taken out of a scan; default: line, of a periodic record the mean alone",
+    {"level",
+     "what is taken out of a profile; a map that is solved directly loses its plane; default: line, of a periodic "
+     "record "
+     "the mean alone",
      SCENE_CHOICE(AT(level), level_names), .given = AT(level_given)},
     {"window", "of the spectrum; default: auto, none for a periodic record, else Hann",
      SCENE_CHOICE(AT(window), spectrum_window_names)},
@@ -426,11 +429,14 @@ const struct scene_key scene_keys[] = {
     {"max_missing", "share of missing points that may be bridged; default: 10 %",
      SCENE_QUANTITY(AT(max_missing), UNIT_NUMBER | UNIT_PERCENT, 0.0, 0.9)},
     {"lambda_s",
-     "cut-off of the Gaussian low-pass by ISO 16610-21; none, given, takes maps as measured; default: none, and of a "
-     "noisy map 6 spacings",
+     "cut-off of the Gaussian low-pass by ISO 16610-21, of maps 16610-61; none, given, takes maps as measured; "
+     "default: "
+     "none, and of a noisy map 6 spacings",
      SCENE_QUANTITY(AT(lambda_s_m), UNIT_DISTANCE, 1e-12, 1e3), .word = "none", .alias = "lambda_s_m",
      .given = AT(lambda_s_given)},
-    {"lambda_c", "cut-off of the Gaussian high-pass by ISO 16610-21; default: none",
+    {"lambda_c",
+     "cut-off of the Gaussian high-pass of profiles by ISO 16610-21, not of a map that is solved directly; default: "
+     "none",
      SCENE_QUANTITY(AT(lambda_c_m), UNIT_DISTANCE, 1e-12, 1e3), .word = "none", .alias = "lambda_c_m",
      .above = "lambda_s"},
     {"tip_radius", "of the stylus: warns where the surface is sharper; default: none",

@@ -18,8 +18,8 @@ set cbtics nomirror scale 0.6 offset -0.6,0 textcolor rgb ink
 set xrange [0:{{side}}]; set yrange [0:{{side}}]
 set xtics autofreq; set ytics autofreq
 set format '%.3g'
-set xlabel 'x ({{length_unit}})' offset 0,0.6
-set label 'y ({{length_unit}})' at screen 0.02, graph 0.5 center rotate by 90
+set xlabel '{{along}} ({{length_unit}})' offset 0,0.6
+set label '{{across}} ({{length_unit}})' at screen 0.02, graph 0.5 center rotate by 90
 set label '{{title}}' at screen 0.095, screen 0.965 left
 set label 'height (µm)' at screen 0.42, screen 0.945 left
 set label '■ in contact' at screen 0.095, screen 0.05 left textcolor rgb '#cc5500'
@@ -39,7 +39,7 @@ plot '{{name}}.csv' index 1 using 1:2:3 with image notitle
 set lmargin at screen 0.60; set rmargin at screen 0.975
 set xtics nomirror autofreq; set ytics nomirror autofreq
 set xrange [0:{{side}}]; set yrange [0:*]
-set xlabel 'x along the dashed line ({{length_unit}})' offset 0,0.6
+set xlabel '{{along}} along the dashed line ({{length_unit}})' offset 0,0.6
 set label 'pressure{{#has_material}} (MPa){{/has_material}}{{^has_material}} / E′{{/has_material}}' at screen 0.525, graph 0.5 center rotate by 90
 {{#hardness}}
 set arrow from graph 0, first {{hardness}} to graph 1, first {{hardness}} nohead lc rgb '#1257d0' lw 1 dt 3 front

@@ -38,7 +38,6 @@ TEST_CASE(maps)
             assert_true(one.transfer && many.transfer && one.transforms == many.transforms);
             assert_memory_equal(one.transfer->curve, many.transfer->curve, sizeof one.transfer->curve);
             assert_memory_equal(one.transfer->error, many.transfer->error, sizeof one.transfer->error);
-            assert_memory_equal(one.low_pass, many.low_pass, sizeof one.low_pass);
             for (int kind = 0; kind < 2; kind++)
                 assert_true((one.transfer->error[kind].count > 0) == (kind <= capped));
             tiles_free(&one);

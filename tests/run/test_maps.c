@@ -259,8 +259,9 @@ TEST_IN_DIRECTORY(pictures_and_spots)
     static const char scene[] = MATERIAL
         "operating_load: 1e-3\nsurfaces: [{name: \"a'/]]><\", file: a.csv}, {name: \"a''/]]><\", file: b.csv}]\n";
     run_scene(place, "out", scene);
-    expect_in_file(place, "out/report.md", " % in contact, in ", " % of that has yielded (at the hardness)",
-                   "](figures/map-a------.svg)", "](figures/map-a-------.svg)");
+    expect_in_file(place, "out/report.md", " % of the points in contact, in ",
+                   " % of these have yielded (at the hardness)", "](figures/map-a------.svg)",
+                   "](figures/map-a-------.svg)");
     expect_in_file(place, "out/figures/map-a------.svg", "<image", "data:image/png;base64,", "in contact");
     struct table spots = directory_table(place, "out/data/contact_spots.csv");
     const double modulus_Pa = pipeline_number(place, "out", "scene/effective_modulus_Pa");
@@ -274,6 +275,8 @@ TEST_IN_DIRECTORY(pictures_and_spots)
     }
     for (int b = 0; b < 2; b++) {
         assert_near(sum_N[b], 1e-3 * modulus_Pa * SIDE * SIDE * 1e-12, 1e-3);
+        expect_in_file(place, "out/report.md",
+                       filled("%.2g %% of the points in contact", 100 * area_m2[b] / (SIDE * SIDE * 1e-12)));
         assert_true(area_m2[b] > 1e-3 * SIDE * SIDE * 1e-12 && area_m2[b] < 0.3 * SIDE * SIDE * 1e-12);
     }
     pipeline_outcome(place, "in", "brief", (struct run_options){.brief = true});
@@ -284,11 +287,11 @@ TEST_IN_DIRECTORY(pictures_and_spots)
     assert_false(directory_has(place, "lines/data/contact_spots.csv"));
 }
 
-/** `lambda_s: none` takes a noisy map as measured; without it the map is low-passed, and the report says what that
- * changes. A map without noise is not low-passed. */
+/** `lambda_s: none` takes a noisy map as measured; without it the map is low-passed, and the report says so. A map
+ * without noise is not low-passed. */
 TEST_IN_DIRECTORY(as_measured)
 {
-    static const char *const said[2] = {"low-passed at 6 um", "the low-pass of the map has changed "};
+    static const char *const said[2] = {"low-passed at 6 um", "the map is solved after its low-pass; with "};
     char *curves[2];
     for (int noisy = 0; noisy < 2; noisy++) {
         double area[2];
@@ -310,12 +313,65 @@ TEST_IN_DIRECTORY(as_measured)
     }
 }
 
-/** Where all spots yield, the area is load over hardness: the low-pass has not changed it, and only what it has changed
- * is told. */
-TEST_IN_DIRECTORY(what_a_low_pass_does_not_change)
+/** `lambda_s` filters the map that is solved, not its rows alone, and the report says that it did; one longer than the
+ * map is refused. */
+TEST_IN_DIRECTORY(own_low_pass)
 {
+    double area[2];
     write_noisy_map(place, "in/a.csv", 1, 1, SIDE, 0.2);
-    run_scene(place, "out", MATERIAL "hardness: 100 MPa\nsurfaces: [" MAP("a") "]\n");
-    expect_in_file(place, "out/report.md",
-                   "the low-pass of the map has changed gap by -9.9 %, resistance by +8.9 %, judged");
+    for (int k = 0; k < 2; k++) {
+        run_scene(place, "out",
+                  k ? MATERIAL "lambda_s: 24 um\nsurfaces: [" MAP("a") "]\n" : MATERIAL "surfaces: [" MAP("a") "]\n");
+        struct table contact = directory_table(place, "out/data/contact.csv");
+        area[k] = table_number(&contact, pipeline_row(&contact, NULL, "direct", NAN), "area_ratio");
+        const char *report = directory_read(place, "out/report.md");
+        assert_int_equal(strstr(report, "low-passed at 24 um (Sq") != NULL, k);
+        assert_int_equal(strstr(report, "as more than 2 % of its slopes are shorter") != NULL, !k);
+    }
+    assert_true(area[1] > 1.2 * area[0]);
+    directory_write(place, "in/scene.yaml", MATERIAL "lambda_s: 49 um\nsurfaces: [" MAP("a") "]\n");
+    struct status status = {0};
+    const struct run_outcome *outcome = pipeline_into(place, "in", "none", (struct run_options){0}, &status);
+    assert_int_not_equal(status.code, STATUS_OK);
+    expect_parts(text_string(&outcome->messages), "lambda_s is 4.9e-05 m, longer than a side of the map of 4.8e-05 m");
+}
+
+/** A map beside a profile, where strips lead, has the interval that it has where strips alone run. */
+TEST_IN_DIRECTORY(interval_beside_a_profile)
+{
+    static const char head[] = "material: bronze\nload: {from: 1e-5, to: 1e-2, points: 9}\n";
+    double s[2];
+    write_long_map(place, "in/a.csv", 1, 1, 2 * SIDE);
+    pipeline_rough(place, "in/line.csv", 400, 1, 1);
+    for (int k = 0; k < 2; k++) {
+        run_scene(place, "out",
+                  k ? filled("%ssurfaces: [" MAP("a") ", " MAP("line") "]\n", head)
+                    : filled("%smodels: [strip]\nsurfaces: [" MAP("a") "]\n", head));
+        struct table spread = directory_table(place, "out/data/spread.csv");
+        s[k] = NAN;
+        for (size_t r = 0; r < spread.rows; r++)
+            if (strcmp(table_text(&spread, r, "surface"), "a") == 0 &&
+                strcmp(table_text(&spread, r, "quantity"), "ecr_ohm_m2_at_middle_load_strip-plastic") == 0)
+                s[k] = table_number(&spread, r, "standard_deviation");
+    }
+    assert_near(s[1], s[0], 0.05);
+}
+
+/** With `direction: y` the places of spots, and the axes of the picture, still are those of the map. */
+TEST_IN_DIRECTORY(spots_of_columns)
+{
+    double at_m[2][2];
+    write_map(place, "in/a.csv", 1, 1);
+    for (int turned = 0; turned < 2; turned++) {
+        run_scene(place, "out", filled("%sdirection: %s\nsurfaces: [" MAP("a") "]\n", MATERIAL, turned ? "y" : "x"));
+        struct table spots = directory_table(place, "out/data/contact_spots.csv");
+        size_t most = 0;
+        for (size_t r = 0; r < spots.rows; r++)
+            most = table_number(&spots, r, "load_N") > table_number(&spots, most, "load_N") ? r : most;
+        at_m[turned][0] = table_number(&spots, most, "x_m");
+        at_m[turned][1] = table_number(&spots, most, "y_m");
+        expect_in_file(place, "out/figures/map-a.gp", turned ? "set xlabel 'y (µm)'" : "set xlabel 'x (µm)'");
+    }
+    for (int k = 0; k < 2; k++)
+        assert_near(at_m[1][k], at_m[0][k], 1e-9);
 }
