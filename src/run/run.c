@@ -171,7 +171,7 @@ static enum status_code run_direct(struct run *run, struct status *status)
     return STATUS_OK;
 }
 
-/** Solves the contact of a map for its picture and the table of spots. */
+/** Solves the contact of a map for its picture and the table of spots, but where a filler holds the metals apart. */
 static enum status_code look_at_map(void *context, size_t index, struct threads_turn *turn, struct status *status)
 {
     const struct run *run = context;
@@ -181,7 +181,15 @@ static enum status_code look_at_map(void *context, size_t index, struct threads_
     const double load = results_operating_load(results, index);
     const bool yields = plan_runs(results->plan, EFFECT_PLASTICITY) && pair->hardness_Pa > 0;
     const double hardness = yields ? pair->hardness_Pa / pair->effective_modulus_Pa : INFINITY;
+    const struct joint_task joint = {&results->scene->joint, pair, .effects = results->plan->running};
     (void)turn;
+    for (size_t m = 0; m < model_count; m++) {
+        if (!model_rows[m]->uses_map || model_rows[m]->plastic != yields || !plan_runs_model(results->plan, m))
+            continue;
+        const struct contact_point at = comparison_middle(results, m, index);
+        if (joint_is_held(&at, &joint))
+            return STATUS_OK;
+    }
     return record->tiles.transfer && load < hardness
                ? map_contact_find(&record->contact, &record->tiles, load, hardness, run->options->stop, status)
                : STATUS_OK;

@@ -357,6 +357,20 @@ TEST_IN_DIRECTORY(interval_beside_a_profile)
     assert_near(s[1], s[0], 0.05);
 }
 
+/** Where a filler's bond line holds the metals apart there is no picture of a contact, and there are no spots. */
+TEST_IN_DIRECTORY(no_picture_beyond_a_bond_line)
+{
+    write_map(place, "in/a.csv", 1, 1);
+    for (int held = 0; held < 2; held++) {
+        run_scene(place, "out",
+                  filled("material: copper\nnominal_area: 1 mm2\noperating_load: 10 N\ngap: {filler: silicone grease, "
+                         "bond_line: %s um}\nsurfaces: [" MAP("a") "]\n",
+                         held ? "50" : "0.001"));
+        assert_int_equal(directory_has(place, "out/data/contact_spots.csv"), !held);
+        assert_int_equal(strstr(directory_read(place, "out/report.md"), "of the points in contact, in") != NULL, !held);
+    }
+}
+
 /** With `direction: y` the places of spots, and the axes of the picture, still are those of the map. */
 TEST_IN_DIRECTORY(spots_of_columns)
 {
