@@ -284,9 +284,7 @@ enum status_code surface_rows_add(const struct surface_scans *task, struct scan 
     if ((areal && condition_map(of, &map, scan, scene, status) != STATUS_OK) ||
         repeats_add_scan(set, status) != STATUS_OK)
         return status->code;
-    double cutoff_m = fmax(summary->cutoff_m, map.cutoff * map.dx_m);
-    struct profile_options had = how; /* how its heights were conditioned */
-    had.lambda_s_m = fmax(scene->lambda_s_m, cutoff_m);
+    const double cutoff_m = fmax(summary->cutoff_m, map.cutoff * map.dx_m);
     how.lambda_s_m = areal ? 0 : scene->lambda_s_m; /* a map was filtered in both directions */
     for (size_t row = 0; row < scan->ny; row++) {
         struct profile profile;
