@@ -36,8 +36,9 @@ struct render {
     const char *name;                /* of the whole */
     const json_t *stack[DEPTH_MOST]; /* what names are looked up in, the last first */
     size_t depth, partials;
-    size_t steps; /* tokens rendered and objects looked into */
-    size_t open;  /* bytes of the templates nested at the moment */
+    size_t item, items; /* of the innermost list that is gone over; 0: none is */
+    size_t steps;       /* tokens rendered and objects looked into */
+    size_t open;        /* bytes of the templates nested at the moment */
 };
 
 /** Bytes of a tag that a one-line message shows. */
@@ -159,6 +160,19 @@ static enum status_code tokenize(struct tokens *out, struct status *status)
     return STATUS_OK;
 }
 
+/** Is it the `first` item of the list, the `last`, or are there `more`? NULL: that is none of these, or there is no
+ * list.
+ */
+static const json_t *place_of_item(const struct render *render, const char *start, size_t length)
+{
+    static const char *const names[] = {"first", "last", "more"};
+    const bool is[] = {render->item == 0, render->item + 1 == render->items, render->item + 1 < render->items};
+    for (size_t n = 0; n < sizeof names / sizeof *names && render->items > 0; n++)
+        if (length == strlen(names[n]) && memcmp(start, names[n], length) == 0)
+            return json_boolean(is[n]);
+    return NULL;
+}
+
 /** The value of a name; NULL: none. The first part of a.b.c is looked up in all open sections. */
 static const json_t *look_up(struct render *render, const char *start, size_t length)
 {
@@ -173,7 +187,7 @@ static const json_t *look_up(struct render *render, const char *start, size_t le
         dot = memchr(start, '.', (size_t)(end - start));
         found = json_object_getn(found, start, (size_t)((dot ? dot : end) - start));
     }
-    return found;
+    return found || dot ? found : place_of_item(render, start, length);
 }
 
 /** A number, or an object of two: `least` and `most`, or `value` and `error`, with digits and in the unit that `how`
@@ -291,13 +305,18 @@ static enum status_code render_section(struct render *render, const struct token
     if (render->depth == DEPTH_MOST)
         return status_fail(render->status, STATUS_USAGE, "too many sections within each other: '%.*s'",
                            first_line(token->start, token->length), token->start);
-    size_t items = json_is_array(value) ? json_array_size(value) : 1;
+    const bool list = json_is_array(value);
+    const size_t items = list ? json_array_size(value) : 1, item = render->item, of = render->items;
     enum status_code rc = STATUS_OK;
     for (size_t i = 0; i < items && rc == STATUS_OK; i++) {
-        render->stack[render->depth++] = json_is_array(value) ? json_array_get(value, i) : value;
+        render->item = list ? i : item;
+        render->items = list ? items : of;
+        render->stack[render->depth++] = list ? json_array_get(value, i) : value;
         rc = render_tokens(render, tokens, at + 1, token->end);
         render->depth--;
     }
+    render->item = item;
+    render->items = of;
     return rc;
 }
 

@@ -340,17 +340,6 @@ static struct layout layout_of(const struct chart *chart)
     return out;
 }
 
-/** Flags all items but the last. */
-static void mark_more(json_t *list, const char *flag)
-{
-    size_t i;
-    json_t *item;
-    json_array_foreach(list, i, item)
-    {
-        json_object_set_new(item, flag, json_boolean(i + 1 < json_array_size(list)));
-    }
-}
-
 /** What the names on a panel's y axis take more than numbers would. */
 static double names_width(const struct chart_panel *panel)
 {
@@ -408,14 +397,11 @@ static json_t *panel_view(const struct chart *chart, const struct layout *layout
     bool bare = chart->shares && column > 0 && !panel->alone && !chart->panel[p - 1].alone; /* numbered before */
     double names = names_width(panel);
     double left = LEFT + (double)column * (layout->wide + layout->gap), top = layout->top[row];
-    mark_more(panel->curves, "more");
     align_marks(panel, &x, left + names, layout->wide - names);
     json_t *ticks = json_array_size(panel->names) > 0
                         ? json_incref(panel->names)
                         : ticks_of(&y, panel->log_y, layout->letters, layout->panel < 150 ? 4 : 6);
     json_t *x_ticks = ticks_of(&x, panel->log_x, layout->letters, layout->columns > 1 ? 5 : 8);
-    mark_more(ticks, "more");
-    mark_more(x_ticks, "more");
     return json_pack("{so so so sb sb sb sf sf sf sf sf sf sf sf so so sO sO sf sf sf}", "title",
                      json_shown(panel->title), "x_label", json_shown(x_label_of(chart, layout->columns, p)), "y_label",
                      json_shown(bare ? "" : panel->y_label), "log_x", panel->log_x, "log_y", panel->log_y, "bare", bare,
@@ -450,7 +436,6 @@ enum status_code chart_script(struct text *out, struct chart *chart, struct must
                              (json_int_t)layout.legend_columns, "legend_x", layout.legend_x / WIDTH, "legend_y",
                              1 - layout.legend_y / layout.height, "legend_beside", layout.legend_beside);
     json_t *panels = json_array();
-    mark_more(chart->legend, "more_entries");
     for (size_t p = 0; p < chart->panels; p++)
         json_array_append_new(panels, panel_view(chart, &layout, p));
     json_object_set_new(view, "panels", panels);

@@ -106,16 +106,10 @@ static void add_mates(json_t *view, const struct scene *scene)
             if (i != j && are_mates(&scene->surfaces[i], &scene->surfaces[j]) &&
                 json_array_size(surfaces) == scene->surface_count && !json_object_get(view, "mates")) {
                 const json_t *one = json_array_get(surfaces, i), *other = json_array_get(surfaces, j);
-                json_t *files = json_array(), *file;
-                size_t f;
-                json_array_foreach(json_object_get(other, "files"), f, file)
-                {
-                    bool more = f + 1 < scene->surfaces[j].files.count;
-                    json_array_append_new(files, json_pack("{s:O, s:b}", "file", file, "more", more));
-                }
                 json_object_set_new(view, "mates",
-                                    json_pack("{s:O, s:O, s:o}", "one", json_object_get(one, "name"), "other",
-                                              json_object_get(other, "name"), "files", files));
+                                    json_pack("{s:O, s:O, s:O}", "one", json_object_get(one, "name"), "other",
+                                              json_object_get(other, "name"), "files",
+                                              json_object_get(other, "files")));
             }
 }
 

@@ -142,7 +142,6 @@ enum status_code export_write(json_t *view, const struct scene *scene, const cha
             if (asked[json_is_true(json_object_get(item, "mm"))][k])
                 (void)write_one(view, item, &programs, k, directory, status);
     }
-    view_separate(json_object_get(view, "exported"));
     programs_free(&programs);
     return status->code;
 }

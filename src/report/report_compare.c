@@ -369,7 +369,6 @@ static void add_number(json_t *view, struct compared *all, const char *name, con
         differ = differ || !same;
         all->loads_differ = all->loads_differ || side.elsewhere;
     }
-    view_separate(lines);
     if (differ || !field)
         all->items += json_array_size(lines);
     if (json_array_size(lines) > 1 && (differ || !field)) {
@@ -434,7 +433,6 @@ static void add_input(json_t *view, struct compared *all, json_t *const *of, con
         free(dumped[k]);
     if (item) {
         view_text(item, "key", text_string(&whole));
-        view_separate(view_list(item, "values"));
     }
     all->items += item ? all->count : 0;
     all->differ = all->differ || item;
@@ -462,7 +460,6 @@ static void add_surface(json_t *view, struct compared *all, const char *name)
     for (const struct record_field *field = surface_fields; field->key; field++)
         if (field->digits > 0)
             add_number(item, all, name, &(struct number){.field = field});
-    view_separate(json_object_get(item, "numbers"));
 }
 
 /** Puts loads that were given as forces or pressures back into newtons: over E' they change with the material. */
@@ -595,8 +592,6 @@ enum status_code report_compare(json_t **out, char *const *paths, size_t count, 
     view_text(view, "model", all.leading);
     view_text(view, "label", label_of(all.leading));
     view_text(view, "load", string(json_array_get(json_object_get(view, "reports"), 0), "load"));
-    view_separate(all.models);
-    view_separate(all.without);
     view_some(view, "more_without", all.without_count - json_array_size(all.without));
     view_flag(view, "loads_differ", all.loads_differ);
     if (status->code == STATUS_OK && all.items > limit_most(LIMIT_COMPARED))

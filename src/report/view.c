@@ -90,18 +90,6 @@ json_t *view_list(json_t *out, const char *name)
     return list;
 }
 
-void view_separate(json_t *array)
-{
-    size_t i;
-    json_t *item;
-    json_array_foreach(array, i, item)
-    {
-        view_flag(item, "first", i == 0);
-        view_flag(item, "last", i + 1 == json_array_size(array));
-        view_flag(item, "more", i + 1 < json_array_size(array));
-    }
-}
-
 json_t *view_alike(const json_t *list, const char *part, const json_t *other)
 {
     size_t i;

@@ -61,8 +61,6 @@ json_t *view_part(json_t *out, const char *name);
 /** A new object at the end of an array, or of the array `name` of an object, which is made if need be. */
 json_t *view_item(json_t *array);
 json_t *view_list(json_t *out, const char *name);
-/** Marks all items but the last with `more`, the first with `first`, the last with `last`. */
-void view_separate(json_t *array);
 /** The item of a list that is, or whose `part` is, the same as another; NULL: none. */
 json_t *view_alike(const json_t *list, const char *part, const json_t *other);
 /** `gamma` with its standard error and `alpha` of a law; nothing where there is none. */

@@ -401,7 +401,6 @@ static void check_model(struct finding *f, json_t *numbers, json_t *opposed, siz
         if (json_array_size(on) == tested) /* on all */
             json_array_clear(on);
     }
-    view_separate(on);
     if (f->all.bad > before && (!(f->row->is & ONCE) || json_array_size(on) > 0))
         json_array_append(opposed, against);
     json_decref(against);
@@ -432,8 +431,6 @@ void view_findings(json_t *out, const struct view_source *source)
             if (((row->models ? row->models : FAMILIES) & speaks(plan, m)) && ++called)
                 check_model(&finding, numbers, opposed, m);
         const size_t good = finding.all.good, all = good + finding.all.bad;
-        view_separate(numbers);
-        view_separate(opposed);
         view_text(item, "part", row->part);
         view_text(item, "name", row->name);
         view_text(item, "finding", words_say(source->words, "finding.%s", row->name));

@@ -242,7 +242,6 @@ static void put_measured_models(json_t *item, const struct view_source *source, 
     if (measured->run_count > 1)
         json_set_count(item, "runs", measured->run_count);
     view_text(item, "surface", view_name(source, surface));
-    view_separate(rows);
 }
 
 static void put_study(json_t *item, const struct view_source *source, const struct direct_study *study)
@@ -287,7 +286,6 @@ void view_direct(json_t *out, const struct view_source *source)
     for (size_t i = 0; i < results->surface_count; i++)
         if (results_measured(results, i) && json_array_size(view_list(out, "measured_models")) < VIEW_ROWS)
             put_measured_models(view_item(view_list(out, "measured_models")), source, i);
-    view_separate(json_object_get(out, "measured_models"));
     if (!plan_runs(results->plan, EFFECT_DIRECT))
         return;
     json_t *item = view_part(out, "direct");

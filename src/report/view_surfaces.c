@@ -127,8 +127,6 @@ static void put_bodies(json_t *out, const struct view_source *source)
             strcmp(bodies->counterface.name, bodies->material.name) != 0)
             put_material(out, &bodies->counterface, NULL);
     }
-    view_separate(list);
-    view_separate(view_list(out, "materials"));
     view_flag(out, "has_materials", json_array_size(view_list(out, "materials")) > 0);
     view_flag(out, "bodies_differ", some_without || json_array_size(list) > 1);
 }
@@ -205,7 +203,6 @@ static void put_files(json_t *row, const struct surface_summary *s)
     const size_t all = across->count + along->count;
     for (size_t f = 0; f < all && f < 5; f++)
         view_text(view_item(files), "file", f < across->count ? across->path[f] : along->path[f - across->count]);
-    view_separate(files);
     if (all > 5)
         json_set_count(row, "more_files", all - 5);
 }

@@ -45,8 +45,8 @@ set lmargin at screen 0; set rmargin at screen 1; set bmargin at screen 0; set t
 unset logscale; unset arrow; unset label; unset border; unset tics; unset xlabel; unset ylabel
 set xrange [0:1]; set yrange [0:1]
 set key at screen {{legend_x}}, {{legend_y}} {{#legend_beside}}left{{/legend_beside}}{{^legend_beside}}center{{/legend_beside}} top horizontal Left reverse maxcols {{legend_columns}} samplen 2
-plot {{#legend}}2 {{#line}}with lines lc rgb '{{colour}}' lw {{width}} dt {{dash}}{{/line}}{{#band}}with lines lc rgb '#dcdcdc' lw 8{{/band}}{{^drawn_lines}}with points lc rgb '{{colour}}' pt {{marker}}{{/drawn_lines}} title '{{title}}'{{#more_entries}}, \
- {{/more_entries}}{{/legend}}
+plot {{#legend}}2 {{#line}}with lines lc rgb '{{colour}}' lw {{width}} dt {{dash}}{{/line}}{{#band}}with lines lc rgb '#dcdcdc' lw 8{{/band}}{{^drawn_lines}}with points lc rgb '{{colour}}' pt {{marker}}{{/drawn_lines}} title '{{title}}'{{#more}}, \
+ {{/more}}{{/legend}}
 {{/has_legend}}
 unset multiplot
 set output

@@ -70,6 +70,16 @@ static void add_words(struct around *around, const char *tag)
 
 typedef bool known_name(const char *known, const struct around *around, const char *name);
 
+/** Does it say where an item of a list stands? */
+static bool is_place(const struct around *around, const char *name)
+{
+    static const char *const places[] = {"first", "last", "more"};
+    for (size_t i = 0; i < sizeof places / sizeof *places && around->count > 0; i++)
+        if (strcmp(name, places[i]) == 0)
+            return true;
+    return false;
+}
+
 /** Fails where a template fills in a name that is not `is_known`; `of`: the section that all of it is, or "". Returns
  * how many there are. */
 static size_t check_template(const char *file, const char *template, const char *of, const char *known,
@@ -90,7 +100,7 @@ static size_t check_template(const char *file, const char *template, const char 
             add_words(&around, open[d]);
         add_words(&own, strcmp(tag, ".") == 0 ? "" : tag);
         for (size_t w = 0; w < own.count; w++, names++) {
-            if (!is_known(known, &around, own.words[w]))
+            if (!is_place(&around, own.words[w]) && !is_known(known, &around, own.words[w]))
                 fail_msg("%s fills in '%s' of '%s', which nothing says", file, own.words[w],
                          around.count > 0 ? around.words[around.count - 1] : "");
             add_words(&around, own.words[w]);
@@ -106,10 +116,6 @@ static size_t check_template(const char *file, const char *template, const char 
 /** Is it in docs/templates.md, which test_view holds against the view? */
 static bool is_documented(const char *document, const struct around *around, const char *name)
 {
-    static const char *const of_lists[] = {"first", "last", "more"};
-    for (size_t i = 0; i < sizeof of_lists / sizeof *of_lists && around->count > 0; i++)
-        if (strcmp(name, of_lists[i]) == 0)
-            return true;
     static struct text schema; /* "as results.json has" */
     if (!schema.data)
         expect_ok(text_read_file, &schema, PROJECT_SOURCE "/docs/results.schema.json");
