@@ -190,8 +190,8 @@ static const json_t *look_up(struct render *render, const char *start, size_t le
     return found || dot ? found : place_of_item(render, start, length);
 }
 
-/** A number, or an object of two: `least` and `most`, or `value` and `error`, with digits and in the unit that `how`
- * says, "3 um", or as printf has it, "4g Pa". False: it says none. */
+/** A number, an array of two, or an object of two: `least` and `most`, or `value` and `error`, with digits and in the
+ * unit that `how` says, "3 um", or as printf has it, "4g Pa". False: it says none. */
 static bool word_numbers(struct text *out, const json_t *value, const char *how, size_t length)
 {
     static const char *const names[][2] = {{"least", "most"}, {"value", "error"}};
@@ -206,7 +206,9 @@ static bool word_numbers(struct text *out, const json_t *value, const char *how,
     if (digits < 1 || digits > 17 || (rest < how + length && !unit_read(&unit, rest, (size_t)(how + length - rest))))
         return false;
     for (int i = 0; i < 2; i++)
-        shown[i] = (json_number_value(json_is_object(value) ? json_object_get(value, names[uncertain][i]) : value) -
+        shown[i] = (json_number_value(json_is_object(value)  ? json_object_get(value, names[uncertain][i])
+                                      : json_is_array(value) ? json_array_get(value, (size_t)i)
+                                                             : value) -
                     unit.offset) /
                    unit.factor;
     if (uncertain)
@@ -225,7 +227,7 @@ static enum status_code render_value(struct render *render, const struct token *
     const size_t length = bar ? (size_t)(bar - token->start) : token->length;
     const json_t *value = look_up(render, token->start, length);
     struct text words = {0};
-    if (bar && (json_is_number(value) || json_is_object(value)) &&
+    if (bar && (json_is_number(value) || json_is_object(value) || json_is_array(value)) &&
         !word_numbers(&words, value, bar + 1, token->length - length - 1))
         return status_fail(render->status, STATUS_USAGE, "'%s': no digits and unit: '%.*s'", render->name,
                            first_line(token->start, token->length), token->start);

@@ -18,7 +18,7 @@ struct mustache {
 
 /** Adds `source`, called `name` in messages, filled in. Beyond the specification an empty text counts as false,
  * `first`, `last` and `more` say where an item of a list stands, where nothing else is called so, and {{name|3 um}}
- * shows an SI number with three digits in that unit, {least, most} as a range, {value, error} with ±;
+ * shows an SI number with three digits in that unit, {least, most} or [least, most] as a range, {value, error} with ±;
  * {{name|4g}} is printf's. Errors: STATUS_USAGE with name and line (a tag that is not closed, a section that does not
  * end, endless partials) or with name (LIMIT_TEMPLATE_BYTES, LIMIT_TEMPLATE_STEPS, LIMIT_PAGE_BYTES); STATUS_MEMORY. */
 MUST_CHECK enum status_code mustache_render(struct text *out, const char *source, const char *name,

@@ -36,14 +36,25 @@ static bool find(struct text *out, const struct words *words, const char *name, 
     return false;
 }
 
+bool words_fill(struct text *out, struct words *words, const char *name, const json_t *view,
+                void (*escape)(struct text *out, const char *string))
+{
+    struct text source = {0};
+    const struct mustache how = {.view = view, .escape = escape};
+    const int length = (int)strcspn(name, "\n");
+    bool found = find(&source, words, name, (size_t)length);
+    if (!found)
+        (void)status_fail(words->status, STATUS_USAGE, "words.txt of the templates has no '%.*s'", length, name);
+    found = found && mustache_render(out, text_string(&source), "words.txt", &how, words->status) == STATUS_OK;
+    text_free(&source);
+    return found;
+}
+
 bool words_add(struct text *out, struct words *words, const char *later,
                void (*escape)(struct text *out, const char *string))
 {
-    struct text source = {0};
     json_t *view = json_object();
-    const struct mustache how = {.view = view, .escape = escape};
-    const int length = (int)strcspn(later, "\n");
-    for (const char *end = later + length; *end;) {
+    for (const char *end = later + strcspn(later, "\n"); *end;) {
         const char *name = end + 1, *text = name + strcspn(name, " \t\n");
         end = *text == '\t' ? strchr(text, '\0') : strchrnul(text, '\n');
         json_t *own = text < end ? json_stringn_nocheck(text + 1, (size_t)(end - text) - 1) : json_true();
@@ -53,13 +64,9 @@ bool words_add(struct text *out, struct words *words, const char *later,
         else
             json_object_setn_new(view, name, (size_t)(text - name), before ? json_pack("[O, o]", before, own) : own);
     }
-    bool found = find(&source, words, later, (size_t)length);
-    if (!found)
-        (void)status_fail(words->status, STATUS_USAGE, "words.txt of the templates has no '%.*s'", length, later);
-    found = found && mustache_render(out, text_string(&source), "words.txt", &how, words->status) == STATUS_OK;
+    const bool said = words_fill(out, words, later, view, escape);
     json_decref(view);
-    text_free(&source);
-    return found;
+    return said;
 }
 
 const char *words_say(struct words *words, const char *format, ...)

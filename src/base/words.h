@@ -27,6 +27,10 @@ const char *words_say(struct words *words, const char *format, ...) PRINTF_LIKE(
 bool words_add(struct text *out, struct words *words, const char *later,
                void (*escape)(struct text *out, const char *string));
 
+/** The same of a name, which a line may end, and the view it is filled from. */
+bool words_fill(struct text *out, struct words *words, const char *name, const json_t *view,
+                void (*escape)(struct text *out, const char *string));
+
 /** Adds a text in `most` characters. Of a longer one the middle is cut, since names often differ at their end. */
 void words_cut(struct text *out, const char *string, size_t length, int most);
 

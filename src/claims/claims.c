@@ -21,11 +21,10 @@ struct claims {
     struct asked asked;
     size_t leading;
     const struct claim_row *row;
-    const char *key; /* the row's, or one of its variants */
-    size_t i;        /* the surface, target or limit that the row is asked about; else the baseline */
-    double weight;   /* a factor: within a level the largest comes first */
-    json_t *numbers, *surface;
-    struct text told; /* what its words are filled with, as words_add() takes it */
+    const char *key;                  /* the row's, or one of its variants */
+    size_t i;                         /* the surface, target or limit that the row is asked about; else the baseline */
+    double weight;                    /* a factor: within a level the largest comes first */
+    json_t *numbers, *told, *surface; /* its words are filled with its numbers, SI, and the texts told beside them */
     struct text text, markdown;
 };
 
@@ -51,8 +50,7 @@ struct claim_row {
     bool (*when)(struct claims *c);
     enum claim_about about;
     bool melts;         /* heated() */
-    enum effect effect; /* share(), with: */
-    const char *unit;
+    enum effect effect; /* share() */
 };
 
 /* ---- What the results say ---- */
@@ -115,27 +113,24 @@ static struct extent extent_of(const struct claims *c, double (*of)(const struct
 
 /* ---- What fills a sentence ---- */
 
-/** How sentences show the numbers that claims name. */
-static const struct shown {
-    const char *name;
-    double scale; /* what is shown over SI */
-    int digits;
-    const char *unit;
-} shown_numbers[] = {
-    {"hardness", 1e-6, 3, "MPa"}, {"pressure", 1e-6, 3, "MPa"}, {"voltage", 1, 2, "V"}, {"limit", 1, 2, "V"},
-    {"current", 1, 3, "A"},       {"line", 1e6, 3, "µm"},       {"gap", 1e6, 2, "µm"},  {"usual", 1e6, 2, "µm"},
-    {"most", 1, 2, "W/(m²·K)"},   {"factor", 1, 2, ""},         {"exponent", 1, 2, ""}, {"waves", 1, 2, ""},
-    {"model", 1, 2, ""},          {"bulge", 1e6, 2, "µm"},      {"side", 1e3, 2, "mm"}, {"nominal", 1e6, 3, "mm²"},
-    {"accuracy", 100, 2, "%"},    {"thickness", 1e6, 2, "µm"},
-};
-
 static void put_text(struct claims *c, const char *name, const char *string)
 {
-    text_add(&c->told, "\n%s ", name);
-    text_add_shown(&c->told, string);
+    json_object_set_new(c->told, name, json_shown(string));
 }
 
-/** "low to high", or one number where both look the same; results.json gets `numbers`. */
+/** SI; words.txt says how it is shown. */
+static void put(struct claims *c, const char *name, double value)
+{
+    json_set(c->numbers, name, value);
+}
+
+static void put_range(struct claims *c, const char *name, double low, double high)
+{
+    json_set_all(c->numbers, name, (const double[]){low, high}, 2);
+}
+
+/** Numbers in a unit or with digits of the run's: "low to high", or one where both look the same; results.json gets
+ * `numbers`. */
 static void put_shown(struct claims *c, const char *name, json_t *numbers, const double shown[2], int digits,
                       const char *unit)
 {
@@ -152,25 +147,9 @@ static void put_number(struct claims *c, const char *name, double value, double 
     put_shown(c, name, json_finite(value), (const double[]){shown, shown}, digits, unit);
 }
 
-static void put_range(struct claims *c, const char *name, double low, double high, int digits, const char *unit)
-{
-    const double ends[] = {low, high};
-    put_shown(c, name, json_numbers(ends, 2), ends, digits, unit);
-}
-
-/** As shown_numbers has it. */
-static void put(struct claims *c, const char *name, double value)
-{
-    const struct shown *how = shown_numbers;
-    while (strcmp(how->name, name) != 0)
-        how++;
-    put_number(c, name, value, value * how->scale, how->digits, how->unit);
-}
-
 static void put_count(struct claims *c, const char *name, size_t count)
 {
     json_set_count(c->numbers, name, count);
-    text_add(&c->told, "\n%s %zu", name, count);
 }
 
 static void put_load(struct claims *c, const char *name, size_t surface, double load, int digits)
@@ -260,7 +239,7 @@ static bool beyond_hardness(struct claims *c)
     put(c, "hardness", pair->hardness_Pa);
     put(c, "pressure", pressure_Pa);
     put_text(c, "label", model->label);
-    put_number(c, "area", model->largest_area, 100 * model->largest_area, 2, "%");
+    put(c, "area", model->largest_area);
     c->key = yields ? "beyond-hardness" : "beyond-model";
     return isnan(answer(c, c->i, QUANTITY_AREA)) && surface_model(summary_of(c, c->i), c->leading)->exists &&
            (yields || (model->ends && (!model->uses_strip || summary_of(c, c->i)->has_strips)));
@@ -296,7 +275,7 @@ static bool few_spots(struct claims *c)
 {
     const struct extent spots = extent_of(c, spots_on, answers_least_spots);
     c->key = spots.most < 1 ? "few-spots-one" : "few-spots";
-    put_range(c, "spots", fmax(spots.least, 1), fmax(spots.most, 1), 1, "");
+    put_range(c, "spots", fmax(spots.least, 1), fmax(spots.most, 1));
     return put_names(c, &spots.on);
 }
 
@@ -388,8 +367,9 @@ static bool measured(struct claims *c)
     if (fit->count == 0)
         return true;
     put_number(c, "factor", factor, factor, digits, "");
+    const double ends[] = {low, high};
     if (isfinite(low) && isfinite(high)) /* a single point has none */
-        put_range(c, "interval", low, high, digits, "");
+        put_shown(c, "interval", json_numbers(ends, 2), ends, digits, "");
     put_text(c, "quantity", words_say(c->words, "asked.%s", quantity_rows[results_measured_quantity(c->results)].name));
     c->key = "measured-beside";
     const struct known value = known_value(c->results, c->asked.quantity, c->i),
@@ -679,8 +659,8 @@ static bool one_direction(struct claims *c)
         some = some || (!summary_of(c, usable(c, k))->has_lay && !nothing_touches(c, usable(c, k)) &&
                         !known_value(c->results, c->asked.quantity, usable(c, k)).measured);
     c->weight = one / two;
-    put_number(c, "one", one, one, 2, "");
-    put_number(c, "two", two, two, 2, "");
+    put(c, "one", one);
+    put(c, "two", two);
     return some && one >= 1.1 * two && !gaps_conduct(c) && !runs(c, EFFECT_SHAPE); /* with a hardness it is little */
 }
 
@@ -814,7 +794,7 @@ static bool by_roughness(struct claims *c)
     return differ;
 }
 
-/** What the row's effect makes of the answer on a surface, in the row's unit; NaN: nothing. */
+/** What the row's effect makes of the answer on a surface, in the unit of its words; NaN: nothing. */
 static double share_of(const struct claims *c, size_t surface)
 {
     const struct scene *scene = c->results->scene;
@@ -846,8 +826,8 @@ static bool share(struct claims *c)
 {
     const struct extent extent = extent_of(c, share_of, INFINITY);
     const bool near_one = fabs(extent.least - 1) < 0.05 && fabs(extent.most - 1) < 0.05; /* not "by 1.0" */
-    put_range(c, "share", extent.least, extent.most, near_one && c->row->effect == EFFECT_PLATING ? 3 : 2,
-              c->row->unit);
+    const double ends[] = {extent.least, extent.most};
+    put_shown(c, "share", json_numbers(ends, 2), ends, near_one && c->row->effect == EFFECT_PLATING ? 3 : 2, "");
     (void)put_names(c, &extent.on);
     put(c, "nominal", c->results->scene->nominal_area_m2);
     put(c, "current", c->results->scene->joint.current_A);
@@ -945,11 +925,11 @@ static const struct claim_row rows[] = {
     {"direct", context, .when = direct},
     {"textbook", context, .when = textbook},
     {"by-roughness", context, .when = by_roughness},
-    {"shares-gap", context, share, .effect = EFFECT_GAP, .unit = "%"},
-    {"shares-film", context, share, .effect = EFFECT_FILM, .unit = "%"},
-    {"shares-plating", context, share, .effect = EFFECT_PLATING, .unit = ""},
-    {"shares-shape", context, share, .effect = EFFECT_SHAPE, .unit = "mm²"},
-    {"heating", context, share, .effect = EFFECT_HEATING, .unit = "K"},
+    {"shares-gap", context, share, .effect = EFFECT_GAP},
+    {"shares-film", context, share, .effect = EFFECT_FILM},
+    {"shares-plating", context, share, .effect = EFFECT_PLATING},
+    {"shares-shape", context, share, .effect = EFFECT_SHAPE},
+    {"heating", context, share, .effect = EFFECT_HEATING},
     {"chosen", context, .when = chosen},
     {"hardness", context, .when = hardness},
     {"duplicates", context, .when = duplicates},
@@ -971,7 +951,7 @@ static void start(struct claims *c, const struct claim_row *row, size_t i)
 {
     json_decref(c->numbers);
     json_decref(c->surface);
-    text_free(&c->told);
+    json_decref(c->told);
     text_free(&c->text);
     text_free(&c->markdown);
     c->row = row;
@@ -979,19 +959,20 @@ static void start(struct claims *c, const struct claim_row *row, size_t i)
     c->i = i;
     c->weight = 1;
     c->numbers = row ? json_object() : NULL;
+    c->told = row ? json_object() : NULL;
     c->surface = NULL;
     if (row && row->about == ABOUT_SURFACES)
         put_surface(c, i);
 }
 
-/** Adds the words of a name, filled with what was told, to both texts. */
+/** Adds the words of a name to both texts. */
 static bool add_words(struct claims *c, const char *name)
 {
-    struct text later = {0};
-    text_add(&later, "%s%s", name, text_string(&c->told));
-    const bool said = words_add(&c->text, c->words, text_string(&later), text_add_unmarked) &&
-                      words_add(&c->markdown, c->words, text_string(&later), text_add_markdown_shown);
-    text_free(&later);
+    json_t *view = json_copy(c->told);
+    json_object_update_missing(view, c->numbers);
+    const bool said = words_fill(&c->text, c->words, name, view, text_add_unmarked) &&
+                      words_fill(&c->markdown, c->words, name, view, text_add_markdown_shown);
+    json_decref(view);
     return said;
 }
 
@@ -1011,7 +992,6 @@ static void add_others(struct claims *c)
         count += c->results->surfaces[i].summary.usable && c->row->when(&other) && strcmp(other.key, c->key) == 0;
     }
     start(&other, NULL, 0);
-    text_free(&c->told);
     if (count == 0)
         return;
     put_count(c, "others", count);
@@ -1077,8 +1057,10 @@ enum status_code claims_make(json_t **out, const struct results *results, const 
 
 static void tell(struct claims *c, const char *name, double shown, int digits)
 {
-    text_add(&c->told, "\n%s ", name);
-    number_format(&c->told, shown, digits);
+    struct text text = {0};
+    number_format(&text, shown, digits);
+    put_text(c, name, text_string(&text));
+    text_free(&text);
 }
 
 /** One surface's part, behind `before`: "*as plated* needs 0.97 N (measured)". */
@@ -1092,7 +1074,6 @@ static bool add_part(struct claims *c, const char *before, size_t surface)
     const bool is = known.kind == KNOWN_VALUE, has = is && isfinite(known.low) && isfinite(known.high);
     char name[80];
     add_both(c, before);
-    text_free(&c->told);
     put_surface(c, surface);
     put_text(c, "unit", !target ? c->asked.unit : load.unit[0] ? load.unit : "E′Aₙ");
     tell(c, "value", known.value, is ? known_digits(&known) : 3);
@@ -1115,6 +1096,7 @@ enum status_code claims_headline(json_t **out, const struct results *results, co
     if (ends[0] == ends[1] && results->usable_count > 1) /* all alike: the first and the last */
         ends[1] = usable(&c, results->usable_count - 1);
     c.numbers = json_object();
+    c.told = json_object();
     if (c.asked.target)
         put_asked(&c, "target", c.asked.target);
     put_text(&c, "quantity", words_say(words, "%s", c.asked.name));
