@@ -118,6 +118,14 @@ static void put_text(struct claims *c, const char *name, const char *string)
     json_object_set_new(c->told, name, json_shown(string));
 }
 
+/** Adds a text to a list. */
+static void put_more(struct claims *c, const char *name, const char *string)
+{
+    if (!json_object_get(c->told, name))
+        json_object_set_new(c->told, name, json_array());
+    json_array_append_new(json_object_get(c->told, name), json_shown(string));
+}
+
 /** SI; words.txt says how it is shown. */
 static void put(struct claims *c, const char *name, double value)
 {
@@ -603,21 +611,18 @@ static bool uncertainty(struct claims *c)
     const double waves = pow(waves_sd(c, surface), 2);
     double variance[] = {known->model_sd * known->model_sd - waves, known->s * known->s, waves};
     const double all = variance[0] + variance[1] + variance[2];
-    struct text parts = {0};
     for (int n = 0; n < 3; n++) {
         int most = 0;
         for (int i = 1; i < 3; i++)
             most = variance[i] > variance[most] ? i : most;
         json_set(c->numbers, names[most], variance[most] / all);
         if (variance[most] >= 0.03 * all)
-            text_add(&parts, "%s%s", n > 0 ? ", " : "",
+            put_more(c, "parts",
                      words_say(c->words, "cause.%s\npercent %.0f", most == 1 ? scans : names[most],
                                100 * variance[most] / all));
         variance[most] = -1;
     }
     put(c, "factor", c->weight = factor.most);
-    put_text(c, "parts", text_string(&parts));
-    text_free(&parts);
     return true;
 }
 
@@ -763,8 +768,6 @@ static bool by_roughness(struct claims *c)
     const size_t count = c->results->usable_count;
     size_t steepest = model_count;
     double widest = 0;
-    const char *last = NULL; /* of the others */
-    struct text others = {0};
     bool all = count >= 3 && differ_in_roughness(c->results);
     for (size_t m = 0; all && m < model_count; m++) {
         const struct model_row *row = model_rows[m];
@@ -772,26 +775,21 @@ static bool by_roughness(struct claims *c)
         if ((row->thesis_place == 0 && m != c->leading) || row->plastic != model_rows[c->leading]->plastic)
             continue;
         const double spread = spread_of(c, m);
-        if (spread < 0 && last)
-            text_add(&others, "%s%s", others.length > 0 ? ", " : "", last);
-        last = spread < 0 ? row->label : last;
+        if (spread < 0)
+            put_more(c, "others", row->label);
         if (spread > widest) {
             widest = spread;
             steepest = m;
         }
     }
-    const bool differ = all && steepest < model_count && last;
-    if (differ) {
-        text_add(&others, "%s%s", others.length > 0 ? " and " : "", last);
-        put_text(c, "label", model_rows[steepest]->label);
-        put_text(c, "quantity", words_say(c->words, "%s", c->asked.name));
-        const double ends[] = {modelled(c, steepest, 0), modelled(c, steepest, count - 1)};
-        put_shown(c, "values", json_numbers(ends, 2),
-                  (const double[]){asked_shown(&c->asked, ends[0]), asked_shown(&c->asked, ends[1])}, 2, c->asked.unit);
-        put_text(c, "others", text_string(&others));
-    }
-    text_free(&others);
-    return differ;
+    if (!all || steepest == model_count || !json_object_get(c->told, "others"))
+        return false;
+    put_text(c, "label", model_rows[steepest]->label);
+    put_text(c, "quantity", words_say(c->words, "%s", c->asked.name));
+    const double ends[] = {modelled(c, steepest, 0), modelled(c, steepest, count - 1)};
+    put_shown(c, "values", json_numbers(ends, 2),
+              (const double[]){asked_shown(&c->asked, ends[0]), asked_shown(&c->asked, ends[1])}, 2, c->asked.unit);
+    return true;
 }
 
 /** What the row's effect makes of the answer on a surface, in the unit of its words; NaN: nothing. */
