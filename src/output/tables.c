@@ -66,9 +66,6 @@ enum {
  * the surfaces' order. */
 struct table {
     const char *directory, *name;
-    struct results_infinite *counted; /* infinite numbers of all tables; NULL: not */
-    size_t infinite;                  /* those of the rows held */
-    const char *infinite_column;      /* of the first of them */
     FILE *file;
     int problem;               /* errno of what failed; 0: nothing did */
     struct text header;        /* the columns' names, as the first row goes over them */
@@ -79,11 +76,6 @@ struct table {
     struct threads_turn *turn; /* of a part; NULL: no other thread writes */
     json_t *objects;           /* records go there instead; NULL: rows are written */
 };
-
-static struct table table_make(const struct results *results, const char *directory, const char *name)
-{
-    return (struct table){.directory = directory, .name = name, .counted = results->infinite};
-}
 
 /** What one surface adds to a table. */
 static struct table table_part(struct table *whole, struct threads_turn *turn)
@@ -115,14 +107,7 @@ static void write_rows(struct table *table)
             fwrite(text_string(&table->rows), 1, table->rows.length, whole->file) < table->rows.length)
             whole->problem = errno;
         table->problem = whole->problem;
-        if (table->infinite > 0 && whole->counted) {
-            if (whole->counted->count == 0)
-                snprintf(whole->counted->first, sizeof whole->counted->first, "%s in data/%s", table->infinite_column,
-                         whole->name);
-            whole->counted->count += table->infinite;
-        }
     }
-    table->infinite = 0;
     table->rows.length = 0;
 }
 
@@ -154,8 +139,6 @@ static void put(struct table *table, const char *name, const char *end, double v
     begin_cell(table, name, end);
     if (isfinite(value))
         number_digits(&table->rows, value, 17);
-    if (isinf(value) && table->infinite++ == 0)
-        table->infinite_column = name;
 }
 
 static void put_number(struct table *table, const char *name, double value)
@@ -281,9 +264,7 @@ static void put_contact(struct table *table, const struct surface_record *record
                 const struct quantity_row *row = &quantity_rows[q];
                 if (!(quantities & QUANTITY_BIT(q)))
                     continue;
-                bool apart =
-                    isinf(point->value[q]) && point->value[QUANTITY_AREA] == 0; /* foreseen: no metal touches */
-                double value = apart ? NAN : point->value[q];
+                const double value = point->value[q];
                 if (!(row->is & QUANTITY_SIGMA_ALONE))
                     put_number(table, row->name, value);
                 if (q == QUANTITY_LOAD)
@@ -335,7 +316,7 @@ enum status_code curve_tables_open(struct curve_tables **out, const struct resul
     all->results = results;
     all->quantities = plan_quantities(results->plan);
     for (int t = 0; t < CURVE_TABLES; t++)
-        all->table[t] = table_make(results, directory, names[t]);
+        all->table[t] = (struct table){.directory = directory, .name = names[t]};
     for (enum quantity q = 0; q < QUANTITY_COUNT; q++)
         if ((quantity_rows[q].is & QUANTITY_BANDED) && (results->plan->wanted & QUANTITY_BIT(q)))
             all->band_quantities |= QUANTITY_BIT(q);
@@ -665,7 +646,7 @@ enum status_code tables_write(const struct results *results, const char *directo
     };
     enum status_code rc = scene_bins_spectra(results->scene) ? STATUS_OK : write_curves(results, directory, status);
     for (size_t f = 0; f < sizeof files / sizeof *files && rc == STATUS_OK; f++) {
-        struct table table = table_make(results, directory, files[f].name);
+        struct table table = {.directory = directory, .name = files[f].name};
         for (size_t i = 0; i < files[f].count; i++)
             files[f].fill(&table, results, i);
         rc = table_close(&table, status);

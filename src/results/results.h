@@ -11,12 +11,6 @@
 
 struct direct_study; /* answers/direct_study.h */
 
-/** Numbers that came out infinite, which nobody foresaw: their cells are empty. */
-struct results_infinite {
-    size_t count;
-    char first[120]; /* "ecr_ohm_m2 in data/contact.csv" */
-};
-
 /** Everything that the report is about, from here on read-only. */
 struct results {
     const struct scene *scene;
@@ -33,11 +27,10 @@ struct results {
     const struct benchmark *benchmark;        /* what accuracy costs; NULL: left out */
     const struct direct_study *direct;        /* the surfaces solved directly; NULL: none */
     size_t direct_count;
-    struct threads threads;            /* that write what there is of each surface */
-    struct results_infinite *infinite; /* what the tables could not say; NULL: it is not counted */
-    const double *convergence;         /* the sweeps' area ratios, see results_sweep(); NULL when the effect is off */
-    size_t *shown; /* indices of the surfaces the charts show: all usable ones up to 8, else the best, the
-                      worst, the baseline and others evenly between, by the criterion */
+    struct threads threads;    /* that write what there is of each surface */
+    const double *convergence; /* the sweeps' area ratios, see results_sweep(); NULL when the effect is off */
+    size_t *shown;             /* indices of the surfaces the charts show: all usable ones up to 8, else the best, the
+                                  worst, the baseline and others evenly between, by the criterion */
     size_t shown_count;
     size_t *by_roughness; /* indices of all usable surfaces, smoothest first */
     size_t usable_count;

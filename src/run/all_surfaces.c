@@ -328,7 +328,6 @@ enum status_code all_surfaces_run(struct all_surfaces *out, const struct scene *
     *results = (struct results){.scene = scene,
                                 .plan = &out->plan,
                                 .surface_count = scene->surface_count,
-                                .infinite = &out->infinite,
                                 .threads = {options->jobs, options->stop}};
     if (scene->surface_count == 0)
         return status_fail(status, STATUS_SCAN, "no scan in '%s': put the profilometer's files there",

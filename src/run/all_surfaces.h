@@ -18,7 +18,6 @@ struct all_surfaces {
     struct measured *measured;          /* one a surface, and the scene's */
     struct words words;
     struct results results;
-    struct results_infinite infinite; /* infinite numbers in the tables */
 };
 
 /** A stage of the work, for the display of progress by several threads. */

@@ -328,12 +328,7 @@ enum status_code run_report(struct run_outcome *out, const struct scene *scene, 
     if (rc == STATUS_OK && asprintf(&out->path, "%s/report.html", run.output.target) < 0)
         rc = status_memory(status);
     out->refused = messages_add(&out->messages, &out->left_out, &run.prepared.results, rc == STATUS_OK);
-    out->left_out += run.prepared.infinite.count + run.direct_lost;
-    if (run.prepared.infinite.count > 0)
-        text_add(&out->messages,
-                 "%zu number%s came out infinite and %s left empty, the first %s; check units and loads\n",
-                 run.prepared.infinite.count, run.prepared.infinite.count == 1 ? "" : "s",
-                 run.prepared.infinite.count == 1 ? "is" : "are", run.prepared.infinite.first);
+    out->left_out += run.direct_lost;
     if (options->outline && rc == STATUS_OK)
         out->outline = json_outline(run.results);
     for (size_t k = 0; k < run.prepared.results.direct_count; k++)

@@ -33,7 +33,7 @@ struct run_times {
 
 struct run_outcome {
     size_t refused;           /* surfaces of the scene */
-    size_t left_out;          /* scans refused of surfaces that have others, and infinite numbers */
+    size_t left_out;          /* scans refused of surfaces that have others, and direct solutions lost */
     struct text messages;     /* messages_add(): one line a refused surface and a warning */
     struct text table;        /* the first page's table and sentence for a terminal */
     struct text limits;       /* a line for each surface and limit: missed ones, then undecided or without a value */
