@@ -73,6 +73,6 @@ const struct surface_summary *view_summary(const struct view_source *source, siz
 
 /** Adds a line for each surface that misses a limit, else for each of which it is undecided or not known; returns how
  * many. */
-size_t view_limits_of(struct text *out, const struct results *results, bool missed);
+size_t view_limits_of(struct text *out, const struct results *results, struct words *words, bool missed);
 
 #endif

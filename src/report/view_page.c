@@ -132,7 +132,7 @@ void view_first_page(json_t *out, const struct view_source *source)
     put_table(out, source);
 }
 
-size_t view_limits_of(struct text *out, const struct results *results, bool missed)
+size_t view_limits_of(struct text *out, const struct results *results, struct words *words, bool missed)
 {
     size_t count = 0;
     for (size_t i = 0; i < results->surface_count; i++)
@@ -142,26 +142,18 @@ size_t view_limits_of(struct text *out, const struct results *results, bool miss
             bool swapped = limit->is_upper != limit->is_most; /* a reciprocal's ends */
             if (check->verdict == LIMIT_MET || (check->verdict == LIMIT_MISSED) != missed)
                 continue;
-            const double ends[] = {scene_asked_shown(limit, swapped ? check->high : check->low),
-                                   scene_asked_shown(limit, swapped ? check->low : check->high)};
-            text_add(out, "surface '");
-            text_add_shown(out, results->surfaces[i].summary.scene->name);
-            text_add(out, "' %s the limit %s %s ", missed ? "misses" : "leaves undecided", limit->symbol,
-                     limit->is_most ? "≤" : "≥");
-            text_add_shown(out, limit->text);
-            text_add(out, isfinite(check->value) ? ": " : missed ? ": from a lighter load on" : ": no value");
-            if (isfinite(check->value))
-                number_format(out, scene_asked_shown(limit, check->value), 3);
-            if (!missed && isfinite(check->low) && isfinite(check->high)) {
-                text_add(out, " (95 %% ");
-                number_format_range(out, ends[0], ends[1], 3);
-                text_add(out, ")");
-            }
-            if (isfinite(check->value)) {
-                text_add(out, " ");
-                text_add_shown(out, limit->unit_text);
-            }
+            json_t *view = json_object();
+            view_text(view, "surface", results->surfaces[i].summary.scene->name);
+            view_text(view, "symbol", limit->symbol);
+            view_text(view, "sign", limit->is_most ? "≤" : "≥");
+            view_text(view, "text", limit->text);
+            view_text(view, "unit", limit->unit_text);
+            json_set(view, "value", scene_asked_shown(limit, check->value));
+            view_range(view, "interval", scene_asked_shown(limit, swapped ? check->high : check->low),
+                       scene_asked_shown(limit, swapped ? check->low : check->high));
+            (void)words_fill(out, words, missed ? "limit.missed" : "limit.undecided", view, NULL);
             text_add(out, "\n");
+            json_decref(view);
             count++;
         }
     return count;

@@ -285,8 +285,8 @@ static enum status_code write_all(struct run *run, struct run_outcome *out, stru
     if (rc != STATUS_OK ||
         report_terminal(&out->table, "terminal", run->view, options->templates, false, status) != STATUS_OK)
         return status->code;
-    out->missed = view_limits_of(&out->limits, run->results, true);
-    out->undecided = view_limits_of(&out->limits, run->results, false);
+    out->missed = view_limits_of(&out->limits, run->results, &run->prepared.words, true);
+    out->undecided = view_limits_of(&out->limits, run->results, &run->prepared.words, false);
     out->times.report = lap(&last);
     return stopped(run) ? status->code : status_lost ? status_memory(status) : exchange_commit(&run->output, status);
 }
