@@ -249,23 +249,6 @@ static void put_load(json_t *out, const struct compared *all, double pressure_Pa
                     all->area_m2 > 0 ? "N" : "MPa");
 }
 
-/** "0.15 … 1.1": nothing where no end is known or both read alike. */
-static void put_interval(json_t *out, double low, double high)
-{
-    struct text text = {0}, first = {0}, last = {0};
-    number_format(&first, low, 2);
-    number_format(&last, high, 2);
-    if (isfinite(low) != isfinite(high))
-        text_add(&text, "%s\u00a0%s", isfinite(low) ? "≥" : "≤", text_string(isfinite(low) ? &first : &last));
-    else if (isfinite(low) && strcmp(text_string(&first), text_string(&last)) != 0)
-        text_add(&text, "%s\u00a0…\u00a0%s", text_string(&first), text_string(&last));
-    text_free(&first);
-    text_free(&last);
-    if (text.length > 0)
-        view_text(out, "interval", text_string(&text));
-    text_free(&text);
-}
-
 /** A line's value with its interval, in SI and as shown. */
 static void put_side(json_t *line, const struct side *side, double scale)
 {
@@ -274,7 +257,7 @@ static void put_side(json_t *line, const struct side *side, double scale)
     json_set(line, "low_95", side->ends[0]);
     json_set(line, "high_95", side->ends[1]);
     view_number(shown, "value", side->value * scale, 3, "");
-    put_interval(shown, side->ends[0] * scale, side->ends[1] * scale);
+    (void)view_interval(shown, side->ends[0] * scale, side->ends[1] * scale, "\u00a0…\u00a0");
 }
 
 /** What a test of a line against another found. */

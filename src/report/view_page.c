@@ -14,31 +14,19 @@ static void put_known(json_t *out, json_t *row, const char *name, const struct v
 {
     static const char *const signs[] = {[KNOWN_VALUE] = "", [KNOWN_AT_MOST] = "≤\u00a0", [KNOWN_MORE_THAN] = ">\u00a0"};
     const struct known known = known_shown(source->results, &source->asked, target, surface);
-    const bool modelled = known.kind == KNOWN_VALUE && !known.measured, low = isfinite(known.low),
-               high = isfinite(known.high);
-    struct text text = {0}, interval = {0};
-    text_add(&interval, "%s", low && high ? "" : low ? "≥\u00a0" : "≤\u00a0");
+    struct text text = {0};
     text_add(&text, "%s", known.kind == KNOWN_NOTHING ? "–" : signs[known.kind]);
     if (known.kind != KNOWN_NOTHING)
         number_format(&text, known.value, known_digits(&known));
-    if (low)
-        number_format(&interval, known.low, 2);
-    if (low && high)
-        text_add(&interval, "–");
-    if (high)
-        number_format(&interval, known.high, 2);
     json_t *cell = view_part(row, name);
     view_text(cell, "value", text_string(&text));
-    if (modelled && (low || high)) {
-        view_text(cell, "interval", text_string(&interval));
+    if (known.kind == KNOWN_VALUE && !known.measured && view_interval(cell, known.low, known.high, "–"))
         view_flag(out, target ? "load_95" : "value_95", true);
-    }
     view_flag(cell, "measured", known.measured && !known.beyond && known.kind != KNOWN_NOTHING);
     view_flag(cell, "overloaded", known.overloaded);
     if (known.overloaded)
         view_flag(out, "some_overloaded", true);
     text_free(&text);
-    text_free(&interval);
 }
 
 static void put_row(json_t *out, json_t *row, const struct view_source *source, size_t surface, bool lettered)
