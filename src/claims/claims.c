@@ -1053,14 +1053,6 @@ enum status_code claims_make(json_t **out, const struct results *results, const 
 
 /* ---- The headline ---- */
 
-static void tell(struct claims *c, const char *name, double shown, int digits)
-{
-    struct text text = {0};
-    number_format(&text, shown, digits);
-    put_text(c, name, text_string(&text));
-    text_free(&text);
-}
-
 /** One surface's part, behind `before`: "*as plated* needs 0.97 N (measured)". */
 static bool add_part(struct claims *c, const char *before, size_t surface)
 {
@@ -1074,9 +1066,9 @@ static bool add_part(struct claims *c, const char *before, size_t surface)
     add_both(c, before);
     put_surface(c, surface);
     put_text(c, "unit", !target ? c->asked.unit : load.unit[0] ? load.unit : "E′Aₙ");
-    tell(c, "value", known.value, is ? known_digits(&known) : 3);
-    tell(c, "low", known.low, 2);
-    tell(c, "high", known.high, 2);
+    put_number(c, "value", known.value, known.value, is ? known_digits(&known) : 3, "");
+    put(c, "low", known.low);
+    put(c, "high", known.high);
     snprintf(name, sizeof name, "headline.%s-%s%s", target ? "load" : "value", kinds[known.kind],
              !is || known.beyond ? ""
              : known.measured    ? "-measured"
