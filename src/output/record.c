@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "output/record.h"
 
+#include "base/number_format.h"
 #include "base/unit.h"
 #include <math.h>
 #include <string.h>
@@ -11,10 +12,72 @@ static int keep(const char *bytes, size_t length, void *text)
     return 0;
 }
 
+static void begin_line(struct text *out, const char *after, int depth)
+{
+    text_add_bytes(out, after, strlen(after));
+    text_add_bytes(out, "\n", 1);
+    for (int i = 0; i < depth; i++)
+        text_add_bytes(out, " ", 1);
+}
+
+/** Its exponent has no plus and no zero in front, and 2 is 2.0. */
+static void put_real(struct text *out, double value)
+{
+    size_t start = out->length;
+    number_digits(out, value, 17);
+    if (out->failed)
+        return;
+    char *number = out->data + start, *to = strchr(number, 'e');
+    if (to) {
+        to += to[1] == '-' ? 2 : 1;
+        size_t passed = strspn(to, "+0");
+        memmove(to, to + passed, strlen(to + passed) + 1);
+        out->length -= passed;
+    } else if (!strchr(number, '.')) {
+        text_add_bytes(out, ".0", 2);
+    }
+}
+
+/** False without memory. */
+static bool put(struct text *out, const json_t *json, int depth)
+{
+    bool ok = json != NULL;
+    size_t i, count = 0;
+    const char *key;
+    json_t *part;
+    if (json_is_real(json)) {
+        put_real(out, json_real_value(json));
+    } else if (json_array_size(json) > 0) {
+        text_add_bytes(out, "[", 1);
+        json_array_foreach(json, i, part)
+        {
+            begin_line(out, i > 0 ? "," : "", depth + 1);
+            ok = put(out, part, depth + 1) && ok;
+        }
+        begin_line(out, "", depth);
+        text_add_bytes(out, "]", 1);
+    } else if (json_object_size(json) > 0) {
+        text_add_bytes(out, "{", 1);
+        json_object_foreach((json_t *)json, key, part)
+        {
+            json_t *name = json_string(key);
+            begin_line(out, count++ > 0 ? "," : "", depth + 1);
+            ok = put(out, name, 0) && ok;
+            text_add_bytes(out, ": ", 2);
+            ok = put(out, part, depth + 1) && ok;
+            json_decref(name);
+        }
+        begin_line(out, "", depth);
+        text_add_bytes(out, "}", 1);
+    } else {
+        ok = ok && json_dump_callback(json, keep, out, JSON_ENCODE_ANY) == 0;
+    }
+    return ok;
+}
+
 bool json_text(struct text *out, const json_t *json)
 {
-    return json_dump_callback(json, keep, out, JSON_INDENT(1) | JSON_REAL_PRECISION(17) | JSON_ENCODE_ANY) == 0 &&
-           !out->failed;
+    return put(out, json, 0) && !out->failed;
 }
 
 json_t *json_shown(const char *hostile)

@@ -6,6 +6,8 @@
 #include "results/results.h"
 #include "run/pipeline.h"
 
+#include <float.h>
+
 /* What docs/report.md says. */
 static const char surfaces_columns[] =
     "surface,files,points,spacing_m,scan_length_m,rq_m,ra_m,m0_m2,m2,m4_per_m2,nayak,asperity_density_per_m2,"
@@ -415,6 +417,24 @@ TEST_CASE(test_every_kind_of_field)
     assert_true(json_equal(json, expected));
     json_decref(json);
     json_decref(expected);
+}
+
+/* JSON has the bytes that jansson gives it. */
+TEST_CASE(test_json_is_as_jansson_prints_it)
+{
+    static const double numbers[] = {0,      -0.0,    1,      -2,    0.1,    1.0 / 3, 1e-7,  -1.5e-7,  1e16,
+                                     1e17,   1e22,    2.5e30, 1e100, 1e-45,  1e-4,    1e-5,  123456.5, 6.02214076e23,
+                                     1e-300, DBL_MAX, 1e-10,  1e10,  5e-324, 100,     7e-20, 0.5};
+    json_t *json = json_pack("{s:s, s:[], s:{}, s:n, s:b, s:i, s:{s:[[s], {s:s}]}, s:o}", "text \"\\\n", "µ\x01\"",
+                             "none", "nothing", "null", "flag", 1, "count", -7, "deep", "er", "a", "b", "ü", "numbers",
+                             json_numbers(numbers, sizeof numbers / sizeof *numbers));
+    struct text *text = support_text();
+    char *expected = json_dumps(json, JSON_INDENT(1) | JSON_REAL_PRECISION(17));
+    assert_true(json_text(text, json));
+    assert_string_equal(text_string(text), expected);
+    assert_false(json_text(text, NULL));
+    free(expected);
+    json_decref(json);
 }
 
 /* Nothing that was not called for leaves a column, a row or a file. */
