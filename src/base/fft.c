@@ -39,23 +39,30 @@ void fft_room_free(struct fft_room *room)
     *room = (struct fft_room){0};
 }
 
-/* A plan for one transform: of a record and its transform or, where that is NULL, from `in` to `out`. */
-static fftw_plan plan_once(double *record, fftw_complex *in, fftw_complex *out, int n, int sign)
+struct once {
+    double *record; /* NULL: from one transform to the other */
+    fftw_complex *transform, *out;
+    size_t n;
+    int sign;
+    fftw_plan plan;
+};
+
+static void make_plan(void *context)
 {
-    pthread_mutex_lock(&planner);
-    fftw_plan plan = !record                 ? fftw_plan_dft_1d(n, in, out, sign, FFTW_ESTIMATE)
-                     : sign == FFTW_BACKWARD ? fftw_plan_dft_c2r_1d(n, in, record, FFTW_ESTIMATE)
-                                             : fftw_plan_dft_r2c_1d(n, record, out, FFTW_ESTIMATE);
-    pthread_mutex_unlock(&planner);
-    return plan;
+    struct once *once = context;
+    int n = (int)once->n;
+    once->plan = !once->record ? fftw_plan_dft_1d(n, once->transform, once->out, once->sign, FFTW_ESTIMATE)
+                 : once->sign == FFTW_BACKWARD ? fftw_plan_dft_c2r_1d(n, once->transform, once->record, FFTW_ESTIMATE)
+                                               : fftw_plan_dft_r2c_1d(n, once->record, once->transform, FFTW_ESTIMATE);
 }
 
-static bool execute_once(fftw_plan plan)
+static bool transform(struct once once)
 {
-    if (plan)
-        fftw_execute(plan);
-    fft_plan_free(plan);
-    return plan;
+    fft_plan(make_plan, &once);
+    if (once.plan)
+        fftw_execute(once.plan);
+    fft_plan_free(once.plan);
+    return once.plan;
 }
 
 /* A small record, as complex heights with all harmonics. */
@@ -70,7 +77,7 @@ static bool transform_small(double *record, fftw_complex *transformed, size_t n,
         in[j][0] = back ? transformed[k][0] : record[j];
         in[j][1] = real ? 0 : j == k ? transformed[k][1] : -transformed[k][1];
     }
-    bool done = in && execute_once(plan_once(NULL, in, out, (int)n, sign));
+    bool done = in && transform((struct once){.transform = in, .out = out, .n = n, .sign = sign});
     for (size_t j = 0; done && back && j < n; j++)
         record[j] = out[j][0];
     for (size_t k = 0; done && !back && k <= n / 2; k++) {
@@ -83,13 +90,13 @@ static bool transform_small(double *record, fftw_complex *transformed, size_t n,
 
 bool fft_forward(fftw_complex *out, double *in, size_t n)
 {
-    return n > SMALL ? execute_once(plan_once(in, NULL, out, (int)n, FFTW_FORWARD))
+    return n > SMALL ? transform((struct once){.record = in, .transform = out, .n = n, .sign = FFTW_FORWARD})
                      : transform_small(in, out, n, FFTW_FORWARD);
 }
 
 bool fft_backward(double *out, fftw_complex *in, size_t n)
 {
-    return n > SMALL ? execute_once(plan_once(out, in, NULL, (int)n, FFTW_BACKWARD))
+    return n > SMALL ? transform((struct once){.record = out, .transform = in, .n = n, .sign = FFTW_BACKWARD})
                      : transform_small(out, in, n, FFTW_BACKWARD);
 }
 
