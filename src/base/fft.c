@@ -3,9 +3,17 @@
 
 #include <pthread.h>
 
-enum { SMALL = 1 << 15 }; /* records up to it go as complex numbers: FFTW plans those in a tenth of the instructions */
+enum {
+    SMALL = 1 << 15, /* records up to it go as complex numbers: FFTW plans those in a tenth of the instructions */
+    KEPT = 16        /* plans of small sizes; a folder of scans has a few */
+};
 
-static pthread_mutex_t planner = PTHREAD_MUTEX_INITIALIZER;
+static pthread_mutex_t planner = PTHREAD_MUTEX_INITIALIZER; /* of `kept` too */
+static struct {
+    size_t n;
+    int sign;
+    fftw_plan plan;
+} kept[KEPT];
 
 void fft_plan(void (*work)(void *context), void *context)
 {
@@ -44,6 +52,7 @@ struct once {
     fftw_complex *transform, *out;
     size_t n;
     int sign;
+    bool kept;
     fftw_plan plan;
 };
 
@@ -56,12 +65,29 @@ static void make_plan(void *context)
                                                : fftw_plan_dft_r2c_1d(n, once->record, once->transform, FFTW_ESTIMATE);
 }
 
+static void find_plan(void *context)
+{
+    struct once *once = context;
+    size_t k = 0;
+    while (k < KEPT && kept[k].plan && (kept[k].n != once->n || kept[k].sign != once->sign))
+        k++;
+    once->kept = k < KEPT;
+    once->plan = once->kept ? kept[k].plan : NULL;
+    if (!once->plan)
+        make_plan(once);
+    if (once->kept)
+        kept[k].n = once->n, kept[k].sign = once->sign, kept[k].plan = once->plan;
+}
+
 static bool transform(struct once once)
 {
-    fft_plan(make_plan, &once);
-    if (once.plan)
+    fft_plan(once.record ? make_plan : find_plan, &once);
+    if (once.plan && once.record)
         fftw_execute(once.plan);
-    fft_plan_free(once.plan);
+    else if (once.plan)
+        fftw_execute_dft(once.plan, once.transform, once.out);
+    if (!once.kept)
+        fft_plan_free(once.plan);
     return once.plan;
 }
 
