@@ -16,11 +16,12 @@ static double load_reaching(double pressure_Pa, double effective_modulus_Pa)
 static void find_loads(struct multiscale *stack)
 {
     const struct sinusoid_scale *scale = stack->scales;
+    double closed_Pa = 0;
     size_t last = 0;
     for (size_t i = 0; i < stack->count; i++)
-        if (scale[i].closed_pressure_Pa >= scale[last].closed_pressure_Pa)
-            last = i;
-    double closed_Pa = scale[last].closed_pressure_Pa, full_Pa = sinusoid_full_area_pressure(&scale[last]);
+        if (sinusoid_closed_pressure(&scale[i]) >= closed_Pa)
+            closed_Pa = sinusoid_closed_pressure(&scale[last = i]);
+    double full_Pa = stack->count > 0 ? sinusoid_full_area_pressure(&scale[last]) : 0;
     for (size_t i = 0; i < stack->count; i++) {
         struct sinusoid_cell cell;
         sinusoid_press(&cell, &scale[i], &sinusoid_fits[SINUSOID_FIT_THESIS], full_Pa, false);
@@ -36,7 +37,7 @@ enum status_code multiscale_make(struct multiscale *out, const struct spectrum *
                                  struct status *status)
 {
     *out = (struct multiscale){
-        .scales = calloc(spectrum->count + 1, sizeof *out->scales), /* zeros: no scale, closed under no load */
+        .scales = malloc((spectrum->count + 1) * sizeof *out->scales),
         .count = spectrum->count,
         .pair = *pair,
         .closure = &sinusoid_fits[closure],
@@ -66,7 +67,7 @@ size_t multiscale_solve(struct contact_point *out, const struct multiscale *stac
     struct constriction_sum sum = {0}, last = {0};
     for (const struct sinusoid_scale *scale = stack->scales; scale < stack->scales + stack->count; scale++) {
         struct sinusoid_cell cell;
-        if (scale->closed_pressure_Pa < nominal_Pa / area) /* changes nothing */
+        if (sinusoid_closed_pressure(scale) < nominal_Pa / area) /* changes nothing */
             continue;
         sinusoid_press(&cell, scale, stack->closure, nominal_Pa / area, with_gap); /* p_i = P/A_{i-1} (4.2) */
         if (with_gap)

@@ -97,7 +97,6 @@ struct sinusoid_scale sinusoid_scale(double amplitude_m, double frequency_per_m,
         .full_pressure_Pa = sinusoid_full_pressure(amplitude_m, frequency_per_m, modulus),
         .critical_pressure_Pa = INFINITY,
     };
-    scale.closed_pressure_Pa = scale.full_pressure_Pa;
     double critical_amplitude_m = plastic ? sinusoid_critical_amplitude(frequency_per_m, pair) : INFINITY;
     if (amplitude_m <= critical_amplitude_m)
         return scale;
@@ -107,8 +106,6 @@ struct sinusoid_scale sinusoid_scale(double amplitude_m, double frequency_per_m,
     scale.critical_pressure_Pa = flow_Pa * flow_Pa * flow_Pa / (48 * M_PI * slope * modulus * slope * modulus);
     scale.plastic_full_pressure_Pa =
         scale.full_pressure_Pa * pow(11 / (4 * (amplitude_m / critical_amplitude_m) + 7), 3.0 / 5);
-    if (scale.critical_pressure_Pa < scale.full_pressure_Pa)
-        scale.closed_pressure_Pa = fmax(scale.plastic_full_pressure_Pa, scale.critical_pressure_Pa);
     /* a_p = 2 f² A_c^(1/(1+q)) (3p/(4 C S_y f²))^(q/(1+q)), with f² A_c = (C S_y/(8 Delta f E'))²/pi: the f² cancel. */
     double q = 3.8 * pow(modulus * slope / pair->yield_strength_Pa, 0.11);
     double cell_critical_area = pow(flow_Pa / (8 * slope * modulus), 2) / M_PI;
@@ -116,6 +113,13 @@ struct sinusoid_scale sinusoid_scale(double amplitude_m, double frequency_per_m,
     scale.plastic_area_log = M_LN2 + log(cell_critical_area) / (1 + q) +
                              scale.plastic_area_exponent * log(3 * scale.plastic_full_pressure_Pa / (4 * flow_Pa));
     return scale;
+}
+
+double sinusoid_closed_pressure(const struct sinusoid_scale *scale)
+{
+    if (scale->critical_pressure_Pa >= scale->full_pressure_Pa)
+        return scale->full_pressure_Pa;
+    return fmax(scale->plastic_full_pressure_Pa, scale->critical_pressure_Pa);
 }
 
 /** Below p_p, where the elastic area is below 1 too (p_p <= p*). */
@@ -158,14 +162,19 @@ bool sinusoid_press(struct sinusoid_cell *cell, const struct sinusoid_scale *sca
 
 double sinusoid_full_area_pressure(const struct sinusoid_scale *scale)
 {
-    double high = scale->closed_pressure_Pa, low = scale->critical_pressure_Pa;
+    double high = sinusoid_closed_pressure(scale), low = scale->critical_pressure_Pa;
     if (!(low < high))
         return high;
     const struct sinusoid_fit *closure = &sinusoid_fits[SINUSOID_FIT_THESIS]; /* plastic: not asked */
-    for (double middle; middle = low + (high - low) / 2, middle > low && middle < high;) {
-        struct sinusoid_cell cell; /* bisects down to neighbouring numbers: the area never falls */
+    for (;;) { /* bisects down to neighbouring numbers: the area never falls */
+        double middle = low + (high - low) / 2;
+        if (!(middle > low && middle < high))
+            return high;
+        struct sinusoid_cell cell;
         sinusoid_press(&cell, scale, closure, middle, false);
-        *(cell.area_complement <= 0 ? &high : &low) = middle;
+        if (cell.area_complement <= 0)
+            high = middle;
+        else
+            low = middle;
     }
-    return high;
 }

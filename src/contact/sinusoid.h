@@ -38,7 +38,6 @@ struct sinusoid_scale {
     double full_pressure_Pa;         /* p* (4.7) */
     double critical_pressure_Pa;     /* p_c (4.14); INFINITY: elastic at any load */
     double plastic_full_pressure_Pa; /* p_p (4.18) */
-    double closed_pressure_Pa;       /* lowest at which the scale is closed, area ratio 1 and gap 0: p* or p_p */
     double plastic_area_log;         /* ln a_p (4.15) at p_p; elsewhere (p/p_p)^(q/(1+q)) times it */
     double plastic_area_exponent;    /* q/(1+q) (4.16) */
 };
@@ -53,6 +52,9 @@ double sinusoid_critical_amplitude(double frequency_per_m, const struct material
  * (4.13*) and q (4.16); p_p (4.18). Elastic at any load unless `plastic`. */
 struct sinusoid_scale sinusoid_scale(double amplitude_m, double frequency_per_m, const struct material_pair *pair,
                                      bool plastic);
+
+/** Lowest mean pressure [Pa] at which the scale is closed: area ratio 1 and gap 0 (p* or p_p). */
+double sinusoid_closed_pressure(const struct sinusoid_scale *scale);
 
 /** Lowest mean pressure [Pa] with area ratio 1. Elastic: p*. Plastic: the published area (4.17) may reach 1 below p_p,
  * while a gap is left. */

@@ -111,7 +111,7 @@ TEST_CASE(passes_over_closed_scales)
         for (size_t i = 0; i < spectrum.count; i++) {
             scales[i] = sinusoid_scale(spectrum.amplitude_m[i], spectrum_frequency(&spectrum, i), &pair, plastic);
             full_Pa = fmax(full_Pa, sinusoid_full_area_pressure(&scales[i]));
-            closed_Pa = fmax(closed_Pa, scales[i].closed_pressure_Pa);
+            closed_Pa = fmax(closed_Pa, sinusoid_closed_pressure(&scales[i]));
         }
         struct multiscale stack = model_support_stack(&spectrum, &pair, plastic, closure);
         assert_near(stack.full_load, full_Pa / pair.effective_modulus_Pa, 4e-16);

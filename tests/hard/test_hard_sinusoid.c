@@ -104,7 +104,7 @@ TEST_CASE(alleviation_keeps_its_digits)
 static double check_scale(const struct sinusoid_scale *scale, int closure)
 {
     double full = scale->full_pressure_Pa, critical = scale->critical_pressure_Pa;
-    double closed = scale->closed_pressure_Pa;
+    double closed = sinusoid_closed_pressure(scale);
     struct sinusoid_cell cell, before = {.gap_ratio = 1};
     double rise = 0;
     double pressure = full * 1e-30, seams[] = {0.8 * full, full, critical, closed, full * 1e6};
