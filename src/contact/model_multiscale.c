@@ -5,7 +5,7 @@
 #include <math.h>
 
 /** Finds the first drop of |d ln R/d ln P| by at least a quarter; curves without a kink only get steeper. */
-static void find_kink(struct model_curve *curve, const struct multiscale *stack, enum quantity resistance)
+static void find_kink(struct model_curve *curve, struct multiscale *stack, enum quantity resistance)
 {
     static const double fall = 1.25;
     double steepest = 0, before = 0, from = 0;

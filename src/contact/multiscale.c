@@ -13,20 +13,79 @@ static double load_reaching(double pressure_Pa, double effective_modulus_Pa)
     return load;
 }
 
-static void find_loads(struct multiscale *stack)
+/** Delta (i+1), in proportion to p* = sqrt2 pi E' Delta f. */
+static double steepness(const struct multiscale *stack, size_t i)
 {
-    const struct sinusoid_scale *scale = stack->scales;
-    double closed_Pa = 0;
+    return stack->spectrum->amplitude_m[i] * (double)(i + 1);
+}
+
+static const double rounding = 1e-9; /* of a pressure by its steepness */
+
+static struct sinusoid_scale make_scale(const struct multiscale *stack, size_t i)
+{
+    return sinusoid_scale(stack->spectrum->amplitude_m[i], spectrum_frequency(stack->spectrum, i), &stack->pair,
+                          stack->plastic);
+}
+
+static const struct sinusoid_scale *scale_at(struct multiscale *stack, size_t i)
+{
+    struct sinusoid_scale *scale = &stack->scales[i];
+    if (!(scale->frequency_per_m > 0))
+        *scale = make_scale(stack, i);
+    return scale;
+}
+
+/** The first scale from index i on that may be open at `pressure_Pa`. The pressure rises from scale to scale, so blocks
+ * that close below it are skipped. */
+static size_t next_open(const struct multiscale *stack, size_t i, double pressure_Pa)
+{
+    double closed = pressure_Pa * stack->closed_steepness_per_Pa;
+    while (i < stack->count && steepness(stack, i) <= closed) {
+        i++;
+        while (i % MULTISCALE_BLOCK == 0 && i < stack->count &&
+               stack->block_closed_Pa[i / MULTISCALE_BLOCK] <= pressure_Pa)
+            i += MULTISCALE_BLOCK;
+    }
+    return i < stack->count ? i : stack->count;
+}
+
+/** Fills block_closed_Pa; returns the highest closing pressure of the blocks' steepest scales. Above the ordered
+ * pressure the steepest scale closes last. */
+static double find_blocks(struct multiscale *stack)
+{
+    double ordered_Pa = stack->plastic ? sinusoid_ordered_pressure(&stack->pair) : 0, most_Pa = 0;
+    for (size_t first = 0; first < stack->count; first += MULTISCALE_BLOCK) {
+        size_t steepest = first;
+        for (size_t i = first; i < stack->count && i < first + MULTISCALE_BLOCK; i++)
+            if (steepness(stack, i) > steepness(stack, steepest))
+                steepest = i;
+        const struct sinusoid_scale scale =
+            make_scale(stack, steepest); /* not stored: saves a page of memory a block */
+        double closed_Pa = sinusoid_closed_pressure(&scale);
+        stack->block_closed_Pa[first / MULTISCALE_BLOCK] =
+            fmin(scale.full_pressure_Pa, fmax(closed_Pa, ordered_Pa)) * (1 + rounding);
+        most_Pa = fmax(most_Pa, closed_Pa);
+    }
+    return most_Pa;
+}
+
+/** Fills full_load and closed_load; at least one scale closes at `closed_Pa` or above. */
+static void find_loads(struct multiscale *stack, double closed_Pa)
+{
     size_t last = 0;
-    for (size_t i = 0; i < stack->count; i++)
-        if (sinusoid_closed_pressure(&scale[i]) >= closed_Pa)
-            closed_Pa = sinusoid_closed_pressure(&scale[last = i]);
-    double full_Pa = stack->count > 0 ? sinusoid_full_area_pressure(&scale[last]) : 0;
-    for (size_t i = 0; i < stack->count; i++) {
+    for (size_t i = 0; (i = next_open(stack, i, closed_Pa)) < stack->count; i++) {
+        double own_Pa = sinusoid_closed_pressure(scale_at(stack, i));
+        if (own_Pa >= closed_Pa) {
+            closed_Pa = own_Pa;
+            last = i;
+        }
+    }
+    double full_Pa = stack->count > 0 ? sinusoid_full_area_pressure(scale_at(stack, last)) : 0;
+    for (size_t i = 0; (i = next_open(stack, i, full_Pa)) < stack->count; i++) {
         struct sinusoid_cell cell;
-        sinusoid_press(&cell, &scale[i], &sinusoid_fits[SINUSOID_FIT_THESIS], full_Pa, false);
+        sinusoid_press(&cell, scale_at(stack, i), &sinusoid_fits[SINUSOID_FIT_THESIS], full_Pa, false);
         if (cell.area_complement > 0)
-            full_Pa = sinusoid_full_area_pressure(&scale[i]);
+            full_Pa = sinusoid_full_area_pressure(scale_at(stack, i));
     }
     stack->full_load = load_reaching(full_Pa, stack->pair.effective_modulus_Pa);
     stack->closed_load = load_reaching(closed_Pa, stack->pair.effective_modulus_Pa);
@@ -37,26 +96,32 @@ enum status_code multiscale_make(struct multiscale *out, const struct spectrum *
                                  struct status *status)
 {
     *out = (struct multiscale){
-        .scales = malloc((spectrum->count + 1) * sizeof *out->scales),
+        .scales = calloc(spectrum->count + 1, sizeof *out->scales),
+        .block_closed_Pa = malloc((spectrum->count / MULTISCALE_BLOCK + 1) * sizeof *out->block_closed_Pa),
         .count = spectrum->count,
+        .spectrum = spectrum,
         .pair = *pair,
+        .plastic = plastic,
         .closure = &sinusoid_fits[closure],
     };
-    if (!out->scales)
+    if (!out->scales || !out->block_closed_Pa) {
+        multiscale_free(out);
         return status_memory(status);
-    for (size_t i = 0; i < out->count; i++)
-        out->scales[i] = sinusoid_scale(spectrum->amplitude_m[i], spectrum_frequency(spectrum, i), pair, plastic);
-    find_loads(out);
+    }
+    out->closed_steepness_per_Pa =
+        (1 - rounding) / sinusoid_full_pressure(1, 1 / spectrum->length_m, pair->effective_modulus_Pa);
+    find_loads(out, find_blocks(out));
     return STATUS_OK;
 }
 
 void multiscale_free(struct multiscale *stack)
 {
     free(stack->scales);
+    free(stack->block_closed_Pa);
     *stack = (struct multiscale){0};
 }
 
-size_t multiscale_solve(struct contact_point *out, const struct multiscale *stack, const struct constriction *spot,
+size_t multiscale_solve(struct contact_point *out, struct multiscale *stack, const struct constriction *spot,
                         unsigned wanted, double load, uint64_t *evaluations)
 {
     bool with_gap = wanted & QUANTITY_BIT(QUANTITY_SEPARATION);
@@ -65,10 +130,9 @@ size_t multiscale_solve(struct contact_point *out, const struct multiscale *stac
     double area = 1, separation_m = 0;
     size_t clamped = 0;
     struct constriction_sum sum = {0}, last = {0};
-    for (const struct sinusoid_scale *scale = stack->scales; scale < stack->scales + stack->count; scale++) {
+    for (size_t i = 0; (i = next_open(stack, i, nominal_Pa / area)) < stack->count; i++) {
+        const struct sinusoid_scale *scale = scale_at(stack, i);
         struct sinusoid_cell cell;
-        if (sinusoid_closed_pressure(scale) < nominal_Pa / area) /* changes nothing */
-            continue;
         sinusoid_press(&cell, scale, stack->closure, nominal_Pa / area, with_gap); /* p_i = P/A_{i-1} (4.2) */
         if (with_gap)
             separation_m += scale->amplitude_m * cell.gap_ratio; /* (4.11*) */
@@ -99,15 +163,15 @@ size_t multiscale_solve(struct contact_point *out, const struct multiscale *stac
 }
 
 /** The first of the scales `first` to `end` - 1 that is open at the load `low` and complete at `high`; `end`: none. */
-static size_t closing_scale(const struct multiscale *stack, double low, double high, size_t first, size_t end)
+static size_t closing_scale(struct multiscale *stack, double low, double high, size_t first, size_t end)
 {
     const double nominal_Pa[] = {low * stack->pair.effective_modulus_Pa, high * stack->pair.effective_modulus_Pa};
     double area[] = {1, 1};
-    for (size_t i = 0; i < end; i++) {
+    for (size_t i = 0; (i = next_open(stack, i, fmin(nominal_Pa[0] / area[0], nominal_Pa[1] / area[1]))) < end; i++) {
         bool complete[2];
         for (int at = 0; at < 2; at++) {
             struct sinusoid_cell cell;
-            sinusoid_press(&cell, &stack->scales[i], stack->closure, nominal_Pa[at] / area[at], false);
+            sinusoid_press(&cell, scale_at(stack, i), stack->closure, nominal_Pa[at] / area[at], false);
             complete[at] = !(cell.area_complement > 0);
             area[at] *= cell.area_ratio;
         }
@@ -117,7 +181,7 @@ static size_t closing_scale(const struct multiscale *stack, double low, double h
     return end;
 }
 
-bool multiscale_closing(struct model_kink *out, const struct multiscale *stack, double low, double high)
+bool multiscale_closing(struct model_kink *out, struct multiscale *stack, double low, double high)
 {
     double open = low;
     size_t k = closing_scale(stack, low, high, 0, stack->count);
@@ -127,6 +191,6 @@ bool multiscale_closing(struct model_kink *out, const struct multiscale *stack, 
         double middle = sqrt(open * high);
         *(closing_scale(stack, low, middle, k, k + 1) == k ? &high : &open) = middle;
     }
-    *out = (struct model_kink){high, 1 / stack->scales[k].frequency_per_m};
+    *out = (struct model_kink){high, 1 / scale_at(stack, k)->frequency_per_m};
     return true;
 }

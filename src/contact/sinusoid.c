@@ -122,6 +122,13 @@ double sinusoid_closed_pressure(const struct sinusoid_scale *scale)
     return fmax(scale->plastic_full_pressure_Pa, scale->critical_pressure_Pa);
 }
 
+double sinusoid_ordered_pressure(const struct material_pair *pair)
+{
+    double flow_Pa = pair->yield_coefficient * pair->yield_strength_Pa, modulus = pair->effective_modulus_Pa;
+    double critical_Pa = sinusoid_full_pressure(sinusoid_critical_amplitude(1, pair), 1, modulus);
+    return fmax(cbrt(M_PI / 24) * flow_Pa, critical_Pa); /* p_c = p* at the first */
+}
+
 /** Below p_p, where the elastic area is below 1 too (p_p <= p*). */
 static void raise_to_elastic(struct sinusoid_cell *cell, const struct sinusoid_scale *scale,
                              const struct sinusoid_fit *closure, double pressure_Pa)

@@ -56,6 +56,11 @@ struct sinusoid_scale sinusoid_scale(double amplitude_m, double frequency_per_m,
 /** Lowest mean pressure [Pa] at which the scale is closed: area ratio 1 and gap 0 (p* or p_p). */
 double sinusoid_closed_pressure(const struct sinusoid_scale *scale);
 
+/** Mean pressure [Pa] above which elastic-plastic scales close in the order of their slopes Delta f: p* and p_p depend
+ * on the slope alone and rise with it. p_c falls with it, but wherever it matters (p_c < p*) it is below this pressure,
+ * and so is p* of the scales that are elastic at any load. */
+double sinusoid_ordered_pressure(const struct material_pair *pair);
+
 /** Lowest mean pressure [Pa] with area ratio 1. Elastic: p*. Plastic: the published area (4.17) may reach 1 below p_p,
  * while a gap is left. */
 double sinusoid_full_area_pressure(const struct sinusoid_scale *scale);

@@ -78,6 +78,7 @@ struct multiscale model_support_stack(const struct spectrum *spectrum, const str
     struct multiscale stack;
     expect_ok(multiscale_make, &stack, spectrum, pair, plastic, closure);
     test_owns(stack.scales, free);
+    test_owns(stack.block_closed_Pa, free);
     return stack;
 }
 

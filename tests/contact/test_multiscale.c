@@ -136,6 +136,39 @@ TEST_CASE(passes_over_closed_scales)
     assert_true((double)visits < 0.6 * (double)all && (double)visits < 1.3 * (double)opens);
 }
 
+/** Where scales just yield, less steep ones can stay open longer: those are not passed over. */
+TEST_CASE(scales_that_just_yield)
+{
+    enum { SCALES = 300, STACKS = 40, TRIED = 200 };
+    struct material_pair pair = model_support_tin();
+    struct constriction spot = constriction_make(&pair);
+    uint64_t random = 5;
+    pair.poisson_ratio = 0.49;
+    pair.yield_coefficient = 1.295 * exp(0.736 * pair.poisson_ratio);
+    const double ordered_Pa = sinusoid_ordered_pressure(&pair);
+    for (int k = 0; k < STACKS; k++) {
+        struct spectrum spectrum = model_support_law(3e-4, 1, 1, SCALES);
+        struct sinusoid_scale scales[SCALES];
+        for (size_t i = 0; i < SCALES; i++) {
+            double frequency = spectrum_frequency(&spectrum, i);
+            spectrum.amplitude_m[i] = ordered_Pa * (0.995 + 0.01 * support_uniform(&random)) /
+                                      sinusoid_full_pressure(1, frequency, pair.effective_modulus_Pa);
+            scales[i] = sinusoid_scale(spectrum.amplitude_m[i], frequency, &pair, true);
+        }
+        struct multiscale stack = model_support_stack(&spectrum, &pair, true, SINUSOID_FIT_THESIS);
+        for (int t = 0; t < TRIED; t++) {
+            struct contact_point point, expected;
+            uint64_t visited = 0;
+            size_t open;
+            double load = ordered_Pa / pair.effective_modulus_Pa * (0.99 + 0.012 * t / TRIED);
+            multiscale_solve(&point, &stack, &spot, EVERYTHING, load, &visited);
+            walk(&expected, &open, scales, SCALES, &sinusoid_fits[SINUSOID_FIT_THESIS], &pair, load);
+            assert_memory_equal(&point, &expected, sizeof point);
+            assert_true(visited >= open);
+        }
+    }
+}
+
 /** On a steep law a load far below full contact is done with after a few scales, whatever their number. */
 TEST_CASE(visits_do_not_grow_with_the_scales)
 {

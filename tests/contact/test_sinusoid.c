@@ -85,3 +85,31 @@ TEST_CASE(complement_does_not_cancel)
             assert_within(cell.area_complement, 0, 0);
     }
 }
+
+/** Materials of every Poisson's ratio, and scales from elastic to a thousand times beyond yield: above the pressure
+ * that is said to order them, what closes one closes all that are less steep, and not so much below it; the steepest is
+ * the last where it is said to be. */
+TEST_CASE(steepness_orders_the_scales)
+{
+    struct material_pair pair = model_support_tin();
+    for (double nu = 0.01; nu < 0.5; nu += 0.07) {
+        pair.poisson_ratio = nu;
+        pair.yield_coefficient = 1.295 * exp(0.736 * nu);
+        double most_closed = 0, disorder = 0;
+        double ordered = sinusoid_ordered_pressure(&pair);
+        for (double ratio = 0.01; ratio < 1e5; ratio *= 1.003) {
+            double frequency = 1e5 / ratio, pressure = ratio * pair.yield_strength_Pa;
+            double amplitude = pressure / sinusoid_full_pressure(1, frequency, pair.effective_modulus_Pa);
+            struct sinusoid_scale scale = sinusoid_scale(amplitude, frequency, &pair, true);
+            double closed = sinusoid_closed_pressure(&scale);
+            if (most_closed > closed) /* a less steep one stays open longer */
+                disorder = fmax(disorder, most_closed);
+            most_closed = fmax(most_closed, closed);
+            struct sinusoid_cell cell;
+            sinusoid_press(&cell, &scale, thesis, closed * (1 + 1e-12), true);
+            assert_true(cell.area_complement == 0 && cell.gap_ratio == 0);
+            assert_true(closed <= scale.full_pressure_Pa);
+        }
+        assert_true(disorder <= ordered * (1 + 1e-9) && (nu < 0.4 || disorder > 0.99 * ordered));
+    }
+}
