@@ -196,7 +196,10 @@ static bool is_symbol(const char *word, size_t length, const char *prefix, const
 /* Prefix and unit of a word; a unit without prefix goes first. */
 static const struct unit_row *find_word(const char *word, size_t length, int *exponent)
 {
-    for (size_t p = 0; p < COUNT(unit_prefixes); p++)
+    for (size_t p = 0; p < COUNT(unit_prefixes); p++) {
+        const char *symbol = unit_prefixes[p].symbol, first = unit_prefixes[p].name[0];
+        if (p > 0 && word[0] != symbol[0] && tolower((unsigned char)word[0]) != first) /* 1 % of `inspect` */
+            continue;
         for (size_t u = 0; u < COUNT(unit_rows); u++) {
             const struct unit_row *row = &unit_rows[u];
             if (p > 0 && !row->prefixes)
@@ -207,6 +210,7 @@ static const struct unit_row *find_word(const char *word, size_t length, int *ex
                 return row;
             }
         }
+    }
     return NULL;
 }
 
