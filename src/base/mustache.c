@@ -216,7 +216,7 @@ static bool word_numbers(struct text *out, const json_t *value, const char *how,
     else if (plain)
         text_add(out, "%.*g", digits, shown[0]);
     else
-        number_format_range(out, shown[0], shown[1], digits);
+        number_format_range(out, shown[0], shown[1], digits, " to ");
     return true;
 }
 

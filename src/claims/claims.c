@@ -49,8 +49,9 @@ struct claim_row {
     const char *level;
     bool (*when)(struct claims *c);
     enum claim_about about;
-    bool melts;         /* heated() */
-    enum effect effect; /* share() */
+    bool melts;                 /* heated() */
+    enum effect effect;         /* share() */
+    enum limit_verdict verdict; /* further_limit() */
 };
 
 /* ---- What the results say ---- */
@@ -144,7 +145,7 @@ static void put_shown(struct claims *c, const char *name, json_t *numbers, const
 {
     struct text text = {0};
     json_object_set_new(c->numbers, name, numbers);
-    number_format_range(&text, shown[0], shown[1], digits);
+    number_format_range(&text, shown[0], shown[1], digits, " to ");
     text_add(&text, "%s%s", unit[0] ? "\u00a0" : "", unit);
     put_text(c, name, text_string(&text));
     text_free(&text);
@@ -491,44 +492,36 @@ static bool further_target(struct claims *c)
                        shown = known_shown(c->results, &of.asked, target, on);
     put_asked(c, "target", target);
     put_text(c, "symbol", target->symbol);
-    c->key = isinf(cost_of(&of, on))       ? "target-never"
-             : load.kind == KNOWN_AT_MOST  ? "target-most"
-             : isnan(load.low + load.high) ? "target-alone"
-                                           : "target";
+    const bool has = load.kind == KNOWN_VALUE && (isfinite(load.low) || isfinite(load.high));
+    c->key = isinf(cost_of(&of, on))      ? "target-never"
+             : load.kind == KNOWN_AT_MOST ? "target-most"
+             : has                        ? "target"
+                                          : "target-alone";
     if (target == c->asked.target || isinf(cost_of(&of, on)))
         return target != c->asked.target;
     put_surface(c, on);
     put_load(c, "load", on, load.value, known_digits(&shown));
     const double ends[][2] = {{load.low, load.high}, {shown.low, shown.high}};
-    if (!isnan(load.low + load.high) && load.kind == KNOWN_VALUE)
+    if (has)
         put_shown(c, "interval", json_numbers(ends[0], 2), ends[1], 2, "");
     return true;
 }
 
-/** A limit that the table has no column for: the surfaces that miss it, else those where it is undecided, else that it
- * is met. */
+/** A limit that the table has no column for: the surfaces of the row's verdict; met only where all meet it. */
 static bool further_limit(struct claims *c)
 {
-    static const struct {
-        enum limit_verdict verdict;
-        const char *key;
-    } order[] = {{LIMIT_MISSED, "limit-missed"},
-                 {LIMIT_UNDECIDED, "limit-undecided"},
-                 {LIMIT_NO_VALUE, "limit-no-value"},
-                 {LIMIT_MET, "limit-met"}};
     const struct scene_asked *limit = &c->results->scene->limits[c->i];
+    const enum limit_verdict verdict = c->row->verdict;
     char text[4 * UNIT_LENGTH], unit[UNIT_LENGTH + 20];
     struct named on = {0};
     asked_text(unit, sizeof unit, limit->text);
     snprintf(text, sizeof text, "%s %s %s", limit->symbol, limit->is_most ? "≤" : "≥", unit);
-    for (size_t o = 0; o < sizeof order / sizeof *order && on.count == 0; o++) {
-        c->key = order[o].key;
-        for (size_t k = 0; k < c->results->usable_count; k++)
-            if (summary_of(c, usable(c, k))->limits[c->i].verdict == order[o].verdict)
-                add_name(&on, usable(c, k));
-    }
+    for (size_t k = 0; k < c->results->usable_count; k++)
+        if (summary_of(c, usable(c, k))->limits[c->i].verdict == verdict)
+            add_name(&on, usable(c, k));
     put_text(c, "limit", text);
-    return put_names(c, &on) && c->i >= ASKED_LIMIT_COLUMNS;
+    return put_names(c, &on) && c->i >= ASKED_LIMIT_COLUMNS &&
+           (verdict != LIMIT_MET || on.count == c->results->usable_count);
 }
 
 /** How many more scans make an interval in ln narrower than `distance` to either side, from the standard deviation of
@@ -914,7 +907,10 @@ static const struct claim_row rows[] = {
     {"rank", verdict, .when = rank},
     {"area-pressed", verdict, .when = area_pressed},
     {"target", verdict, further_target, .about = ABOUT_TARGETS},
-    {"limit", verdict, further_limit, .about = ABOUT_LIMITS},
+    {"limit-missed", verdict, further_limit, .about = ABOUT_LIMITS, .verdict = LIMIT_MISSED},
+    {"limit-undecided", verdict, further_limit, .about = ABOUT_LIMITS, .verdict = LIMIT_UNDECIDED},
+    {"limit-no-value", verdict, further_limit, .about = ABOUT_LIMITS, .verdict = LIMIT_NO_VALUE},
+    {"limit-met", verdict, further_limit, .about = ABOUT_LIMITS, .verdict = LIMIT_MET},
     {"scans-to-decide", verdict, .when = scans_to_decide},
     {"uncertainty", unsure, .when = uncertainty},
     {"not-flat-assumed", unsure, .when = not_flat_assumed},
@@ -1022,7 +1018,7 @@ enum status_code claims_make(json_t **out, const struct results *results, const 
                            [ABOUT_SURFACES] = results->surface_count,
                            [ABOUT_TARGETS] = results->scene->target_count,
                            [ABOUT_LIMITS] = results->scene->limit_count};
-    double *weights = calloc(ROWS + ends[ABOUT_TARGETS] + ends[ABOUT_LIMITS], sizeof *weights), interval = 0;
+    double *weights = calloc(ROWS + ends[ABOUT_TARGETS] + 3 * ends[ABOUT_LIMITS], sizeof *weights), interval = 0;
     json_t *list = json_array();
     size_t first = 0;
     for (const struct claim_row *row = rows; row < rows + ROWS && weights && list; row++) {

@@ -47,16 +47,12 @@ void view_range(json_t *out, const char *name, double least, double most)
 bool view_interval(json_t *out, double low, double high, const char *between)
 {
     const bool both = isfinite(low) && isfinite(high);
-    struct text first = {0}, last = {0};
-    number_format(&first, isfinite(low) ? low : high, 2);
-    number_format(&last, high, 2);
-    const bool told = both ? strcmp(text_string(&first), text_string(&last)) != 0 : isfinite(low) || isfinite(high);
+    struct text shown = {0};
+    number_format_range(&shown, low, high, 2, between);
+    const bool told = both ? strstr(text_string(&shown), between) != NULL : isfinite(low) || isfinite(high);
     if (told)
-        json_object_set_new(out, "interval",
-                            both ? json_sprintf("%s%s%s", text_string(&first), between, text_string(&last))
-                                 : json_sprintf("%s\u00a0%s", isfinite(low) ? "≥" : "≤", text_string(&first)));
-    text_free(&first);
-    text_free(&last);
+        json_object_set_new(out, "interval", json_string(text_string(&shown)));
+    text_free(&shown);
     return told;
 }
 

@@ -59,13 +59,12 @@ TEST_CASE(test_ranges)
         double least, most;
         int digits;
         const char *expected;
-    } cases[] = {{1, 2, 2, "1.0 to 2.0"},
-                 {1.001, 1.002, 2, "1.0"},
-                 {1.001, 1.002, 4, "1.001 to 1.002"},
+    } cases[] = {{1, 2, 2, "1.0 to 2.0"},      {1.001, 1.002, 2, "1.0"},    {1.001, 1.002, 4, "1.001 to 1.002"},
+                 {1.5, NAN, 2, "≥\u00a01.5"},  {NAN, 1.5, 2, "≤\u00a01.5"}, {NAN, NAN, 2, "–"},
                  {-1e-6, 0, 1, "−1·10⁻⁶ to 0"}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         struct text *text = support_text();
-        number_format_range(text, cases[i].least, cases[i].most, cases[i].digits);
+        number_format_range(text, cases[i].least, cases[i].most, cases[i].digits, " to ");
         assert_string_equal(text_string(text), cases[i].expected);
     }
 }

@@ -49,7 +49,8 @@ static void assert_found(const char *name, const char *expected)
     json_array_foreach(json_object_get(found, "numbers"), k, number)
     {
         text_add(said, k == 0 ? ": " : "; ");
-        number_format_range(said, json_number_at(number, "range/least"), json_number_at(number, "range/most"), 2);
+        number_format_range(said, json_number_at(number, "range/least"), json_number_at(number, "range/most"), 2,
+                            " to ");
     }
     if (strcmp(text_string(said), expected) != 0)
         fail_msg("%s: '%s', not '%s'", name, text_string(said), expected);
