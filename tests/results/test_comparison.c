@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* comparison_make() on curves made up to order: every ratio worked out by hand. */
+#include "directory.h"
 #include "made_up_results.h"
 #include "support.h"
 
@@ -24,6 +25,29 @@ PLACED(test_power_laws)
     assert_near(comparison_middle(&made.results, leading, 1).value[QUANTITY_AREA], 0.2, 1e-12);
     assert_near(comparison_middle(&made.results, leading, 2).value[QUANTITY_ECR], 3.75e-10, 1e-12);
     assert_true(isnan(comparison_middle(&made.results, leading, 3).value[QUANTITY_LOAD])); /* refused */
+}
+
+/** Bands of their own: the first surface's narrow, the second's scattered. */
+static void band_each(struct surface_record *record, size_t index)
+{
+    static const double band_m[][2] = {{1e-6, 5e-6}, {1e-5, 2e-5}, {2e-6, 1e-4}, {1, 1}};
+    static const enum power_law_band_class found[] = {POWER_LAW_BAND_NARROW, POWER_LAW_BAND_SCATTERED,
+                                                      POWER_LAW_BAND_LAW, POWER_LAW_BAND_LAW};
+    memcpy(record->summary.power_law.band_m, band_m[index], sizeof band_m[index]);
+    record->summary.power_law.found = found[index];
+}
+
+/* Table 6.2 compares amplitudes in the middle of what the bands share, without narrow and scattered ones, and
+ * docs/report.md says so. */
+PLACED(test_where_laws_are_compared)
+{
+    made_up_make_of(&made, MODEL_BIT(model_named("jg")), 0, band_each);
+    assert_near(results_law_wavelength_m(&made.results), sqrt(2e-6 * 1e-4), 1e-12);
+    made.surfaces[2].summary.power_law.found = POWER_LAW_BAND_NARROW;
+    assert_true(isnan(results_law_wavelength_m(&made.results)));
+    assert_non_null(strstr(directory_read(PROJECT_SOURCE, "docs/report.md"),
+                           "(the middle of what the bands share, narrow and scattered ones left out; where no other is "
+                           "left, of each band)"));
 }
 
 /** JG of the first surface ends below the middle load, and the second has none. */
