@@ -401,7 +401,9 @@ TEST_IN_WORKSPACE(sweeps_that_yield_are_told_apart)
         }
     assert_true(least < 0.1 && most > 2 * least);
     char *script = file_of(place, "o", "convergence", "gp");
-    expect_parts(script, "α: multiscale elastic at 0.0010'", "γ: multiscale elastic-plastic at 8.4·10⁻⁶'");
+    expect_parts(script, "α: multiscale elastic at 0.0010'", "γ: multiscale elastic-plastic at 8.4·10⁻⁶'",
+                 " dt 1 title 'α = ", " dt 4 title 'γ = "); /* 4 is gnuplot's dot-dash */
+    expect_in_file(place, "o/report.md", "in each panel; α solid, γ dot-dash.]");
 }
 
 /* A report on one surface has the charts that repeat the first page, and gap against area, in its appendix; with two
