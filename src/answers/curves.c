@@ -223,6 +223,16 @@ static void note_joint(struct surface_record *record, const struct scene *scene,
                  joint_plating_names[joint->plating], metal->least_m * 1e6, metal->most_m * 1e6);
 }
 
+/** A map that is solved directly loses its plane, whatever is taken out of its rows. */
+static void note_plane(struct surface_record *record, const struct scene *scene, const struct plan *plan)
+{
+    const struct surface_summary *summary = &record->summary;
+    const bool models = plan_running_models(plan) & model_flagged(offsetof(struct model_row, uses_map)),
+               study = summary->direct && summary->direct->possible && summary->direct->side > 0;
+    if (((models && summary->has_tiles) || study) && (scene->lambda_c_m > 0 || scene->level != LEVEL_LINE))
+        note_add(&record->summary.notes, NULL, "note.plane");
+}
+
 /** Prepares the strips that have been solved, for targets and limits too. */
 static enum status_code prepare_strips(struct surface_record *record, const struct model_task *task,
                                        struct status *status)
@@ -269,6 +279,7 @@ static enum status_code curves_run(struct surface_record *record, const struct s
             return status->code;
     }
     note_joint(record, scene, plan);
+    note_plane(record, scene, plan);
     if (record->shapes && plan_runs_model(plan, leading))
         record->summary.carrying = joint_shape_area(&record->shapes[leading], task.loads[model_task_operating(&task)]);
     return answers_find(record, scene, plan, &task, status);

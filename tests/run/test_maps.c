@@ -313,6 +313,27 @@ TEST_IN_DIRECTORY(as_measured)
     }
 }
 
+/** A direct solution of a map, of a model or beside them, does not use `level` and `lambda_c`; only then does the
+ * report say so. */
+TEST_IN_DIRECTORY(own_plane)
+{
+    static const struct {
+        const char *keys;
+        bool said;
+    } cases[] = {{"", false},
+                 {"level: line\n", false},
+                 {"level: parabola\n", true},
+                 {"lambda_c: 40 um\n", true},
+                 {"lambda_c: 40 um\nmodels: [strip]\n", false},
+                 {"lambda_c: 40 um\nmodels: [multiscale]\ndirect: {loads: [1e-3]}\n", true}};
+    write_map(place, "in/a.csv", 1, 1);
+    for (size_t c = 0; c < sizeof cases / sizeof *cases; c++) {
+        run_scene(place, "out", filled(MATERIAL "%ssurfaces: [" MAP("a") "]\n", cases[c].keys));
+        assert_int_equal(strstr(directory_read(place, "out/report.md"), "takes out its plane alone") != NULL,
+                         cases[c].said);
+    }
+}
+
 /** `lambda_s` filters the map that is solved, not its rows alone, and the report says that it did; one longer than the
  * map is refused. */
 TEST_IN_DIRECTORY(own_low_pass)
