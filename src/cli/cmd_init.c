@@ -3,6 +3,7 @@
 #include "base/limits.h"
 #include "base/mustache.h"
 #include "cli/command.h"
+#include "profile/profile.h"
 #include "scene/scene.h"
 
 #include <stdio.h>
@@ -43,12 +44,18 @@ static json_t *paths_json(const struct scene_files *files)
     return paths;
 }
 
-/** Adds the units that the first scan of a surface lacks, or else the reason why it cannot be read. */
+/** Adds the units that the first scan of a surface lacks, or else the reason why it cannot be used. */
 static void add_lacks(json_t *view, const char *path)
 {
     struct scan scan;
     struct status problem = {0};
     enum status_code code = scan_read(&scan, path, &(struct scan_options){0}, &problem);
+    if (code == STATUS_OK && scan.kind == SCAN_PROFILE) { /* flat, or with too many gaps? */
+        struct profile profile;
+        if ((code = profile_make(&profile, &scan, 0, &profile_defaults, &problem)) != STATUS_OK)
+            (void)status_prefix(&problem, "%s", path);
+        profile_free(&profile);
+    }
     const bool said = *scan.unknown_unit[0] || *scan.unknown_unit[1]; /* a unit, which is none of length */
     const bool units = code == STATUS_SCAN && scan.units_lacking && !said && !(*scan.x_unit && *scan.z_unit);
     if (units && !*scan.x_unit)

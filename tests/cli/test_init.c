@@ -111,6 +111,19 @@ TEST_IN_WORKSPACE(what_is_to_be_filled_in)
     assert_true(json_is_true(json_object_get(plan, "material_known")));
 }
 
+/* Scans that can be read but not used: flat ones, and those with too many gaps. */
+TEST_IN_WORKSPACE(what_is_refused)
+{
+    workspace_scan(place, "d/a.csv", 200, 1);
+    workspace_shell(place, "cd d && awk -F, 'NR > 1 { $2 = 1 } 1' OFS=, a.csv > flat.csv && "
+                           "awk -F, 'NR > 50 && NR < 90 { $2 = \"NaN\" } 1' OFS=, a.csv > gaps.csv");
+    run_to_exit(place, 0, "init", "d");
+    static const char refused[] = "    # This is refused as it stands: d/";
+    expect_in_file(place, "d/scene.yaml", filled("file: \"flat.csv\"\n%sflat.csv: the scan is flat", refused),
+                   filled("file: \"gaps.csv\"\n%sgaps.csv: 39 of 200 heights are missing", refused));
+    expect_not_in_file(place, "d/scene.yaml", filled("%sa.csv", refused));
+}
+
 /* Two sub-directories are proposed as the sides of a joint only where their names say so. Every key that init proposes
  * makes a valid scene together with a material and an area. */
 TEST_IN_WORKSPACE(each_proposal_is_a_scene)
