@@ -213,7 +213,7 @@ json_t *inspection_json(const char *path, const struct inspection *inspection)
         json_object_update_new(json, record_json(map_fields, inspection));
         return json;
     }
-    static const char *const grids[] = {"uniform", "rounded x", "uneven x, interpolated"};
+    static const char *const grids[] = {"uniform", "steps of a few lengths", "uneven x, interpolated"};
     json_object_set_new(json, "positions", json_string(grids[inspection->profile.grid]));
     json_object_set_new(json, "periodic", json_boolean(inspection->profile.periodic));
     json_t *parameters = json_object();

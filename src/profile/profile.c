@@ -370,7 +370,7 @@ enum status_code profile_make(struct profile *out, const struct scan *scan, size
         return status->code;
     out->digit_m = profile_digitiser_step(out->height_m, out->points);
     if (out->grid == PROFILE_ROUNDED)
-        profile_note(out, "x is rounded to a few digits; %s spacing of %.6g um was used",
+        profile_note(out, "x has steps of a few lengths, as if rounded; %s spacing of %.6g um was used",
                      nominal ? "the header's" : "its mean", out->spacing_m * 1e6);
     if (out->grid == PROFILE_RESAMPLED) {
         const double *x_m = scan->x_m + first;

@@ -97,6 +97,18 @@ TEST_CASE(test_rounded_positions_are_recognised)
         }
 }
 
+/* Positions that alternate are none that were rounded: what is said of both is what both are. */
+TEST_CASE(test_alternating_positions)
+{
+    for (size_t i = 0; i < 400; i++) {
+        x_m[i] = ((double)i + 0.2 * (double)(i % 2)) * 5e-7;
+        z_m[i] = smooth(x_m[i]);
+    }
+    struct profile profile = make(sample(400, true), LEVEL_NONE);
+    assert_null(find_note(&profile, "x is rounded"));
+    expect_note(profile, "x has steps of a few lengths, as if rounded; its mean spacing of 0.5", true);
+}
+
 /* Rows that are missing do not make the positions rounded: the heights are interpolated. */
 TEST_CASE(test_missing_rows_are_no_rounding)
 {
