@@ -31,7 +31,7 @@ struct compared {
     json_t *models;                 /* by which the reports are compared, once each */
     bool beside;                    /* few enough to stand side by side */
     bool any, differ, loads_differ; /* any: a number is in two reports; differ: anything */
-    bool joined;                    /* a report has film or plating */
+    bool joined, carried;           /* a report has film or plating; shows what was measured */
 };
 
 enum { TEXT_MOST = 60, STRING_MOST = 1000, PATH_MOST = 400, MADE = 5, NAMED_MOST = 10 };
@@ -414,9 +414,7 @@ static void add_input(json_t *view, struct compared *all, json_t *const *of, con
     }
     for (size_t k = 0; k < all->count; k++)
         free(dumped[k]);
-    if (item) {
-        view_text(item, "key", text_string(&whole));
-    }
+    view_text(item, "key", text_string(&whole)); /* of NULL nothing is set */
     all->items += item ? all->count : 0;
     all->differ = all->differ || item;
     text_free(&whole);
@@ -424,7 +422,8 @@ static void add_input(json_t *view, struct compared *all, json_t *const *of, con
 
 static void add_surface(json_t *view, struct compared *all, const char *name)
 {
-    static const char *const keys[] = {"files", "sha256", "units", "material", "counterface", "hardness_Pa"};
+    static const char *const keys[] = {"files",       "sha256",      "units",   "material",
+                                       "counterface", "hardness_Pa", "measured"};
     json_t *item = view_item(view_list(view, "surfaces")), *of[REPORTS_COMPARED];
     bool alone = false;
     view_text(item, "surface", name);
@@ -484,6 +483,29 @@ static void add_model(json_t *models, const char *label)
     json_decref(own);
 }
 
+/** Puts what targets or limits say, which stands in their answers, into the scene. */
+static void put_asked(json_t *results, const char *answers, const char *key, const char *asked)
+{
+    json_t *texts = json_object(), *answer;
+    size_t i;
+    json_array_foreach(json_object_get(results, answers), i, answer)
+    {
+        json_object_set_new(texts, string(answer, key), json_true());
+    }
+    json_object_set_new(json_object_get(results, "scene"), asked, texts);
+}
+
+/** Leaves of what was measured on a surface only what went in. */
+static void keep_measured(struct compared *all, json_t *surface)
+{
+    const json_t *measured = json_object_get(surface, "measured");
+    json_t *kept = json_object();
+    all->carried = all->carried || json_is_true(json_object_get(measured, "carried"));
+    json_object_set(kept, "files", json_object_get(measured, "files"));
+    json_object_set(kept, "values", json_object_get(measured, string(measured, "quantity")));
+    json_object_set_new(surface, "measured", kept);
+}
+
 static enum status_code add_report(json_t *view, struct compared *all, const char *path, struct status *status)
 {
     struct text name = {0}, bytes = {0};
@@ -514,8 +536,11 @@ static enum status_code add_report(json_t *view, struct compared *all, const cha
     text_free(&bytes);
     json_array_foreach(json_object_get(results, "surfaces"), i, surface)
     {
+        keep_measured(all, surface);
         json_object_set(surfaces, string(surface, "surface"), surface);
     }
+    put_asked(results, "answers", "target", "targets");
+    put_asked(results, "limits", "limit", "limits");
     double load = real(get(results, "scene", "operating_load_over_AnEp")), tolerance, area_m2;
     all->results[all->count] = results;
     all->surfaces[all->count] = surfaces;
@@ -577,6 +602,7 @@ enum status_code report_compare(json_t **out, char *const *paths, size_t count, 
     view_text(view, "load", string(json_array_get(json_object_get(view, "reports"), 0), "load"));
     view_some(view, "more_without", all.without_count - json_array_size(all.without));
     view_flag(view, "loads_differ", all.loads_differ);
+    view_flag(view, "carried", all.carried);
     if (status->code == STATUS_OK && all.items > limit_most(LIMIT_COMPARED))
         (void)status_fail(status, STATUS_SCAN, "too much differs%s", limit_words(LIMIT_COMPARED).text);
     if (status->code == STATUS_OK && all.ranked_count < 2)

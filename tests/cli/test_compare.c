@@ -94,6 +94,33 @@ TEST_IN_WORKSPACE(finished_reports)
     at(view, "surfaces.1.numbers.1.lines.1.low_95", "null");
 }
 
+/* What was measured, targets and limits went in as well; the numbers are the models' all the same, and that is said. */
+TEST_IN_WORKSPACE(measured_files_targets_and_limits_went_in)
+{
+    static const char own[] = "material: tin\noperating_load: 2 N\n%s",
+                      given[] = "measured: {file: ../%s, quantity: ecr}\n"
+                                "targets: [{ecr: 1 mohm}, {ecr: 2 mohm}]\nlimits: {ecr: {most: %s}}";
+    workspace_write(place, "m1.txt", "load_N,resistance_mohm\n1,0.9\n2,0.5\n4,0.26\n8,0.14\n");
+    workspace_write(place, "m2.txt", "load_N,resistance_mohm\n1,0.9\n2,0.5\n4,0.26\n8,0.15\n");
+    make_report(place, "none", 1, filled(own, ""));
+    make_report(place, "one", 1, filled(own, filled(given, "m1.txt", "3 mohm")));
+    make_report(place, "same", 1, filled(own, filled(given, "m1.txt", "3 mohm")));
+    make_report(place, "other", 1, filled(own, filled(given, "m2.txt", "4 mohm")));
+    static const char said[] = "All numbers are the models'";
+    json_t *view = compare(place, "one", "same", said);
+    at(view, "inputs", "");
+    at(view, "nothing_differs", "true");
+    view = compare(place, "one", "other", said);
+    char *inputs = test_owns(json_dumps(json_object_get(view, "inputs"), 0), free);
+    expect_parts(inputs, "\"scene.limits.ecr most 3 mohm\"", "\"scene.limits.ecr most 4 mohm\"", "\"b.measured.files\"",
+                 "m2.txt", "\"b.measured.values\"");
+    expect_no_part(inputs, "targets");
+    view = compare(place, "none", "one", said);
+    inputs = test_owns(json_dumps(json_object_get(view, "inputs"), 0), free);
+    expect_parts(inputs, "\"scene.targets.ecr 2 mohm\"", "\"scene.limits.ecr most 3 mohm\"", "\"b.measured.files\"");
+    expect_no_part(expect_exit(place, 0, "compare", "none", "none").out, said);
+}
+
 /** A report of one surface: ECR 2e-9 `factor`, from 1e-9 to 4e-9 of it, and with a film of 1e-9; `known` of both. */
 static void make_results(const char *place, const char *out, const char *name, double factor, const char *known)
 {
