@@ -50,7 +50,7 @@ static enum status_code add_scan(const struct surface_scans *task, const struct 
         rc = copies_find(&of, task->copies, &scan, name, status);
     summary->times.read += clock_seconds() - started;
     if (of)
-        note_add(&summary->notes, name, "note.copy\nof\t%s", of);
+        note_add(&summary->notes, name, "note.copy\nof\t%s", strcmp(of, name) == 0 ? "" : of);
     else if (rc == STATUS_OK) {
         rc = surface_rows_add(task, &scan, name, status);
         if (rc != STATUS_OK) /* a copy of a refused scan is not called a copy */

@@ -118,8 +118,8 @@ static void decide_uncertainty(struct plan *plan, const struct surface_record *s
     for (size_t i = 0; i < count && !model_rows[plan_leading_model(plan)]->uses_map; i++)
         single += surfaces[i].summary.usable && surfaces[i].summary.single_points > 0;
     plan_decide(plan, EFFECT_UNCERTAINTY, single > 0,
-                words_say(plan->words, "%s\nsurfaces %zu\n%s", single > 0 ? "effect.one_scan" : "effect.no_scan",
-                          single, single == 1 ? "one" : ""));
+                words_say(plan->words, "%s\nsurfaces %zu%s%s", single > 0 ? "effect.one_scan" : "effect.no_scan",
+                          single, single == 1 ? "\none" : "", count > 0 && surfaces->counterface ? "\npaired" : ""));
 }
 
 /** Strips run if any surface has them. */

@@ -280,6 +280,10 @@ TEST_IN_DIRECTORY(copies_among_scans)
     assert_near(table_number(&four, 0, "scans"), 3, 0);
     assert_near(table_number(&four, 0, "effective"), table_number(&three, 0, "effective"), 0);
     expect_in_file(place, "four/report.md", "holds the same heights as");
+    report(place, "twice", "", "{name: m, file: [0.csv, 1.csv, 2.csv, 1.csv]}");
+    expect_in_file(place, "twice/report.md", "**Copies:** 1.csv is listed more than once and counts once.",
+                   "1.csv is listed more than once and counts once");
+    expect_no_parts(directory_read(place, "twice/report.md"), "same heights");
 }
 
 /** Copies of a scan that cannot be used are none either. */
@@ -394,6 +398,8 @@ TEST_IN_DIRECTORY(two_rough_bodies)
         assert_true(width_of(place, "out", "strip") > 2 * 1.9 * 0.5 && width_of(place, "out", "strip") < 20);
         expect_in_file(place, "out/report.md", "(95\u00a0%: ");
     }
+    report(place, "out", "models: [strip]\ncounterface: {surface: b0.csv}\n", "{name: m, file: 'a*.csv'}");
+    expect_in_file(place, "out/report.md", "records can be simulated of the one pair of scans of 1 surface");
 }
 
 /** A scan with equal quarters, and one that is a hundred times as rough from its middle on: the quarters are solved
