@@ -116,7 +116,7 @@ void view_first_page(json_t *out, const struct view_source *source)
         view_text(out, "target", unit);
     }
     view_text(out, "load_unit", as.unit[0] ? as.unit : "P/(Aₙ E′)");
-    view_text(out, "load_kind", words_say(source->words, "load.%s", as.force || !as.unit[0] ? "force" : "pressure"));
+    view_text(out, "load_kind", !as.unit[0] ? "" : words_say(source->words, as.force ? "load.force" : "load.pressure"));
     put_table(out, source);
 }
 

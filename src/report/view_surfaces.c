@@ -89,17 +89,19 @@ static void put_once(json_t *list, json_t *own, const char *surface)
     json_decref(own);
 }
 
-/** A row of table 6.1, of a pair with what the models have of it. The same once. */
-static void put_material(json_t *out, const struct material *material, const struct material_pair *pair)
+/** A row of table 6.1, of a surface's pair with what the models have of it, and its source. The same once. */
+static void put_material(json_t *out, const struct material *material, const struct material_pair *pair,
+                         const char *surface)
 {
-    json_t *list = view_list(out, "materials"), *row = json_material(material);
+    json_t *row = json_material(material);
+    put_once(view_list(out, "sources"),
+             json_pack("{s:O, s:O}", "name", json_object_get(row, "name"), "source", json_object_get(row, "source")),
+             surface);
     if (pair && !pair->unknown) {
         json_set(row, "effective_modulus_Pa", pair->effective_modulus_Pa);
         json_set(row, "hardness_Pa", pair->hardness_Pa);
     }
-    if (!view_alike(list, NULL, row) && json_array_size(list) < VIEW_ROWS)
-        json_array_append(list, row);
-    json_decref(row);
+    put_once(view_list(out, "materials"), row, surface);
 }
 
 /** The bodies of the surfaces, alike ones together. */
@@ -122,12 +124,14 @@ static void put_bodies(json_t *out, const struct view_source *source)
         view_text(own, "counterface", rigid ? "" : bodies->counterface.name);
         view_flag(own, "elastic_counterface", !rigid && !bodies->counterface.name[0]);
         put_once(list, own, view_name(source, i));
-        put_material(out, &bodies->material, pair);
+        put_material(out, &bodies->material, pair, view_name(source, i));
         if (bodies->counterface_kind == MATERIAL_COUNTERFACE_ELASTIC &&
             strcmp(bodies->counterface.name, bodies->material.name) != 0)
-            put_material(out, &bodies->counterface, NULL);
+            put_material(out, &bodies->counterface, NULL, view_name(source, i));
     }
-    view_flag(out, "has_materials", json_array_size(view_list(out, "materials")) > 0);
+    const size_t rows = json_array_size(view_list(out, "materials"));
+    view_flag(out, "has_materials", rows > 0);
+    view_flag(out, "pairs_differ", rows > json_array_size(view_list(out, "sources"))); /* one material, several rows */
     view_flag(out, "bodies_differ", some_without || json_array_size(list) > 1);
 }
 
@@ -139,7 +143,7 @@ void view_surfaces(json_t *out, const struct view_source *source)
     put_row(view_list(item, "heads"), source->words, tables_surface_when(results), NULL);
     view_flag(item, "gaps", plan_quantities(source->results->plan) & QUANTITY_BIT(QUANTITY_JOINT));
     size_t scans = 0, of_maps = 0, periodic = 0, windowed = 0, lawless = 0, last_lawless = 0;
-    bool has_maps = false, has_lay = false;
+    bool has_maps = false, has_lay = false, has_along = false;
     for (size_t i = 0; i < results->surface_count; i++) {
         const struct surface_summary *s = view_summary(source, i);
         if (!s->usable)
@@ -147,6 +151,7 @@ void view_surfaces(json_t *out, const struct view_source *source)
         scans += s->scans;
         has_maps = has_maps || s->has_map;
         has_lay = has_lay || s->has_lay;
+        has_along = has_along || s->scene->along.count > 0;
         of_maps += s->has_map ? s->scans : 0;
         periodic += s->periodic;
         windowed += s->windowed;
@@ -179,6 +184,7 @@ void view_surfaces(json_t *out, const struct view_source *source)
         json_set(item, "counterface_rq_m", results->counterface->summary.roughness.rq_m);
     put_bodies(item, source);
     view_flag(item, "isotropic", !has_lay);
+    view_flag(item, "has_along", has_along);
 }
 
 /* ---- Inputs ---- */
@@ -231,13 +237,8 @@ void view_inputs(json_t *out, const struct view_source *source)
     }
     put_notes(item, source);
     view_flag(item, "binned_spectra", scene_bins_spectra(results->scene));
-    for (const char *line = results->scene->passed_over; line && *line;
-         line += strcspn(line, "\n"), line += *line == '\n') {
-        char *one = strndup(line, strcspn(line, "\n"));
-        if (one)
-            view_text(view_item(view_list(item, "passed_over")), "line", one);
-        free(one);
-    }
+    if (results->scene->passed_over)
+        json_object_set_new(item, "passed_over", json_lines(results->scene->passed_over));
     json_t *sources = view_list(item, "sources");
     for (size_t m = 0; m < model_count; m++)
         if (plan_runs_model(results->plan, m)) {

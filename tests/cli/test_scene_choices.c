@@ -152,3 +152,44 @@ TEST_IN_WORKSPACE(effects_say_what_they_change)
     expect_in_file(place, "o/report.md", "needs no more than E'; changes no other number",
                    "records can be simulated of the one scan of 1 surface; changes no number");
 }
+
+/* Without a material a load is P/(A_n E'), no force. */
+TEST_IN_WORKSPACE(loads_without_a_material)
+{
+    workspace_scan(place, "d/a.csv", 200, 1);
+    workspace_write(place, "d/scene.yaml", "models: [corrected-persson]\ntargets: [{area: 0.01}]\n");
+    char *page = workspace_shell(place, PROGRAM " report d -o o --no-cost");
+    expect_part(page, "surface  P/(Aₙ E′) ");
+    expect_in_file(place, "o/report.md", "| surface | load for 0.01 (P/(Aₙ E′), 95 %) |", "·10⁻⁵ (95 %) |");
+    workspace_write(place, "d/scene.yaml",
+                    "models: [corrected-persson]\nmaterial: tin\nnominal_area: 1 mm2\ntargets: [{area: 0.01}]\n");
+    expect_part(workspace_shell(place, PROGRAM " report d -o o --no-cost"), "force/N ");
+    expect_in_file(place, "o/report.md", "| surface | force for 0.01 (N) | contact area at 0.432\u00a0N | Rq");
+}
+
+/* Table 6.1 says of a material in several pairs which row is whose, and names its source once. */
+TEST_IN_WORKSPACE(a_material_in_several_pairs)
+{
+    for (unsigned i = 0; i < 3; i++)
+        workspace_scan(place, filled("d/%c.csv", 'a' + i), 200, i);
+    report_scene(place, "o",
+                 "models: [corrected-persson]\nmaterial: tin\nsurfaces: [{name: a, file: a.csv}, "
+                 "{name: b, file: b.csv, counterface: copper}, {name: c, file: c.csv}]\n");
+    char *page = workspace_read(place, "o/report.md"), *source = strstr(page, "\ntin: ");
+    expect_part(page, "| tin (*a* and 1 more) |");
+    expect_part(page, "| tin (*b*) |");
+    expect_part(page, "\n| copper |");
+    assert_non_null(source);
+    expect_no_part(source + 1, " tin: ");
+    expect_part(source, ". copper: ");
+    report_scene(place, "o", "models: [corrected-persson]\nmaterial: tin\n");
+    expect_in_file(place, "o/report.md", "\n| tin |");
+}
+
+TEST_IN_WORKSPACE(the_page_names_what_is_no_scan)
+{
+    workspace_scan(place, "d/a.csv", 200, 1);
+    workspace_write(place, "d/readme.md", "Text.\n");
+    report_scene(place, "o", "models: [corrected-persson]\n");
+    expect_in_file(place, "o/report.md", "\n- passed over, no scan: 1 x text (readme.md)\n");
+}

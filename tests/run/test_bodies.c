@@ -27,7 +27,7 @@ TEST_IN_DIRECTORY(each_surface_has_its_own_bodies)
     expect_in_file(
         place, "all/report.md",
         "\nBodies: tin against a rigid body on *a*;\ncopper against copper on *b*;\ngold against tin on *c*.\n",
-        "\n| gold |", " | 90.0 |\n", " gold: ", " copper: ");
+        "\n| gold (*c*) |", "\n| tin |", " | 90.0 |\n", " gold: ", " copper: ");
     struct table all = directory_table(place, "all/data/contact.csv");
     size_t compared = 0;
     for (int s = 0; s < 3; s++) {

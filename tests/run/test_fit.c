@@ -122,6 +122,10 @@ TEST_IN_PLACE(test_the_report_names_windows)
     pipeline_report(place, "three", "three-out",
                     "material: tin\nsurfaces: [{name: a, file: [a-1.csv, a-2.csv, a-3.csv]}]\n");
     expect_in_file(place, "three-out/report.md", "Periodic: 2 of 3 scans.\nThe others have a Hann window.");
+    expect_no_parts(directory_read(place, "three-out/report.md"), "Scans along");
+    pipeline_report(place, "three", "along-out",
+                    "material: tin\nsurfaces: [{name: a, file: [a-1.csv, a-3.csv], along: a-2.csv}]\n");
+    expect_in_file(place, "along-out/report.md", "Periodic: 1 of 2 scans.", "Scans along a lay are not counted here.");
     expect_gamma_made(place, "three-out", "a");
     assert_true(number(place, "three-out", "a", "gamma_stderr") < 0.04); /* one alone: 0.044 */
 }
