@@ -112,6 +112,10 @@ static void expect_list(const json_t *claims)
         const json_t *numbers = json_object_get(claim, "numbers");
         json_array_foreach(claims, k, other) if (k < i && strncmp(key, "target", 6) && strncmp(key, "limit", 5))
             assert_string_not_equal(json_string_value(json_object_get(other, "key")), key);
+        /* only a claim that stops says that it holds for others, and only where there are */
+        const bool others = strstr(json_string_value(json_object_get(claim, "text")), "The same holds for ") != NULL;
+        assert_int_equal(others, json_object_get(numbers, "others") != NULL);
+        assert_true(!others || strcmp(json_string_value(json_object_get(claim, "level")), "stop") == 0);
         if (strcmp(key, "target") == 0 &&
             json_unpack((json_t *)numbers, "{s:F, s:[F, F]}", "load", &load, "interval", &low, &high) == 0)
             assert_true(low <= load && load <= high);
