@@ -153,29 +153,42 @@ static void displace(struct solver *solver)
 void direct_contact_select(struct direct_contact *contact, bool all)
 {
     const struct direct_kernel *kernel = &contact->kernel;
-    contact->set_count = 0;
+    const double *pressure = contact->pressure;
+    uint32_t *set = contact->set;
+    size_t count = 0;
     for (size_t j = 0; j < kernel->ny; j++) {
-        size_t before = contact->set_count;
+        size_t before = count;
         for (size_t k = j * kernel->stride; k < j * kernel->stride + kernel->nx; k++) {
-            contact->set[contact->set_count] = (uint32_t)k;
-            contact->set_count += all || contact->pressure[k] != 0;
+            set[count] = (uint32_t)k;
+            count += all || pressure[k] != 0;
         }
-        contact->rows[j] = contact->set_count > before;
+        contact->rows[j] = count > before;
     }
+    contact->set_count = count;
 }
 
-/** Sum of `count` pressures plus the shift, each clipped to 0 ... H; `free`: how many are not clipped. */
+/* Four pressures, and four answers of 0 or -1. */
+typedef double lanes __attribute__((vector_size(32), aligned(sizeof(double)), may_alias));
+typedef int64_t marks __attribute__((vector_size(32)));
+
+/** Sum of `count` pressures plus the shift, each clipped to 0 ... H; `free`: how many are not clipped. Without
+ * branches: pressures change sides at random places. */
 CLONES static double clipped_sum(double *free, const double *pressure, size_t count, double shift, double hardness)
 {
-    double part[4] = {0}, inside[4] = {0};
-    for (size_t k = 0; k < count; k += 4)
-        for (size_t i = 0; i < 4 && k + i < count; i++) {
-            const double p = pressure[k + i] + shift, clipped = p < 0 ? 0 : p > hardness ? hardness : p;
-            part[i] += clipped;
-            inside[i] += clipped == p;
-        }
-    *free = sum(inside);
-    return sum(part);
+    lanes part = {0}, last = {-INFINITY, -INFINITY, -INFINITY, -INFINITY};
+    marks inside = {0};
+    if (count % 4 > 0)
+        memcpy(&last, pressure + count / 4 * 4, count % 4 * sizeof *pressure);
+    for (size_t k = 0; k < count; k += 4) {
+        const lanes p = (k + 4 <= count ? *(const lanes *)(pressure + k) : last) + shift;
+        const lanes pressed = (lanes)((p > 0) & (marks)p);
+        const marks below = pressed < hardness;
+        const lanes clipped = (lanes)((below & (marks)pressed) | (~below & (marks)((lanes){0} + hardness)));
+        part += clipped;
+        inside -= clipped == p;
+    }
+    *free = (double)(inside[0] + inside[1] + inside[2] + inside[3]);
+    return (part[0] + part[1]) + (part[2] + part[3]);
 }
 
 /** Shifts the pressure where it is not 0, clipped to 0 ... H, so that its mean is p̄ (Newton's method within a bracket).
@@ -243,19 +256,20 @@ static void move(struct solver *solver, double tau)
 {
     struct direct_contact *contact = solver->contact;
     const uint32_t *set = contact->set;
+    const size_t count = contact->set_count;
     double *pressure = contact->pressure, part[4] = {0};
-    for (size_t k = 0; k < contact->set_count; k++)
+    for (size_t k = 0; k < count && tau != 0; k++)
         pressure[set[k]] -= tau * contact->direction[set[k]];
     if (contact->kernel.ny == 1 && solver->preconditioned && tau != 0)
         give_inwards(contact);
-    for (size_t k = 0; k < contact->set_count; k += 4)
-        for (size_t i = 0; i < 4 && k + i < contact->set_count; i++) {
-            double p = pressure[set[k + i]];
-            pressure[set[k + i]] = p > 0 ? p : 0;
-            part[i] += p > 0 ? p : 0;
+    for (size_t k = 0; k < count; k += 4)
+        for (size_t i = 0; i < 4 && k + i < count; i++) {
+            const double p = pressure[set[k + i]], pressed = p > 0 ? p : 0;
+            pressure[set[k + i]] = pressed;
+            part[i] += pressed;
         }
     double scale = solver->load->mean_pressure * (double)contact->kernel.points / sum(part);
-    for (size_t k = 0; k < contact->set_count; k++)
+    for (size_t k = 0; k < count; k++)
         pressure[set[k]] *= scale;
 }
 
@@ -293,9 +307,10 @@ static double level(const struct solver *solver)
 CLONES static void lay_row(struct direct_contact *contact, size_t first, double lambda, double hardness)
 {
     const double *u = contact->kernel.field + first, *p = contact->pressure + first, *h = contact->height_m + first;
-    double *gap_m = contact->gap_m + first;
-    uint8_t *taken = contact->taken;
-    for (size_t i = 0; i < contact->kernel.nx; i++) {
+    double *restrict gap_m = contact->gap_m + first;
+    uint8_t *restrict taken = contact->taken;
+    const size_t count = contact->kernel.nx;
+    for (size_t i = 0; i < count; i++) {
         const double g = 2 * u[i] - h[i] - lambda;
         gap_m[i] = g;
         taken[i] = (uint8_t)(((p[i] > 0) & ((p[i] < hardness) | (g > 0))) | ((p[i] <= 0) & (g < 0)));
