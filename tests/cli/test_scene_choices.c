@@ -160,7 +160,7 @@ TEST_IN_WORKSPACE(loads_without_a_material)
     workspace_write(place, "d/scene.yaml", "models: [corrected-persson]\ntargets: [{area: 0.01}]\n");
     char *page = workspace_shell(place, PROGRAM " report d -o o --no-cost");
     expect_part(page, "surface  P/(Aₙ E′) ");
-    expect_in_file(place, "o/report.md", "| surface | load for 0.01 (P/(Aₙ E′), 95 %) |", "·10⁻⁵ (95 %) |");
+    expect_in_file(place, "o/report.md", "| surface | load for 0.01 (P/(Aₙ E′), 95 %) |", "·10⁻⁵ (95 %) |");
     workspace_write(place, "d/scene.yaml",
                     "models: [corrected-persson]\nmaterial: tin\nnominal_area: 1 mm2\ntargets: [{area: 0.01}]\n");
     expect_part(workspace_shell(place, PROGRAM " report d -o o --no-cost"), "force/N ");
