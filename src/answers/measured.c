@@ -105,15 +105,13 @@ static enum status_code read_run(struct measured *out, const char *name, const s
 {
     const unsigned resistances = scene_measured_resistances[out->given->quantity];
     const unsigned quantities[MEASURED_COLUMNS] = {UNIT_LOADS, resistances, resistances | UNIT_NUMBER | UNIT_PERCENT};
-    struct measured_file file = {0};
-    char *path = scene_file_path(scene, name);
+    OWNED(measured_file_free) struct measured_file file = {0};
+    OWNED(memory_free) char *path = scene_file_path(scene, name);
     if (!path)
         return status_memory(status);
     if (measured_file_take(&file, path, name, quantities, status) == STATUS_OK &&
         complete_units(&file, name, out->given, quantities, status) == STATUS_OK)
         (void)add_run(out, &file, name, scene, pair, status);
-    measured_file_free(&file);
-    free(path);
     return status->code;
 }
 
@@ -187,8 +185,8 @@ enum status_code measured_answer(struct measured_answers *out, const struct meas
     const struct model_task task = surface_model_task(record, asked);
     const struct joint_task joint = surface_joint(record, asked->scene, asked->plan, &task);
     const enum quantity quantity = measured_quantity(measured, joint.effects);
-    double *loads = calloc(measured->count, sizeof *loads);
-    struct contact_point *points = malloc((measured->count + 1) * sizeof *points);
+    OWNED(memory_free) double *loads = calloc(measured->count, sizeof *loads);
+    OWNED(memory_free) struct contact_point *points = malloc((measured->count + 1) * sizeof *points);
     *out = (struct measured_answers){.resistance = calloc(model_count * measured->count, sizeof *out->resistance)};
     bool stored = loads && points && out->resistance;
     size_t count = stored ? loads_within(loads, measured, &task) : 0;
@@ -208,8 +206,6 @@ enum status_code measured_answer(struct measured_answers *out, const struct meas
         for (size_t i = 0; i < measured->count; i++)
             out->resistance[m * measured->count + i] = resistance_at(&curve, measured->load[i], quantity);
     }
-    free(loads);
-    free(points);
     return rc;
 }
 
@@ -290,13 +286,10 @@ enum status_code measured_fit(struct measured_answers *out, const struct measure
                               struct status *status)
 {
     const size_t most = measured->count;
-    double *room = calloc(5 * most + 1, sizeof *room);
-    size_t *run = calloc(most + 1, sizeof *run);
-    if (!room || !run) {
-        free(room);
-        free(run);
+    OWNED(memory_free) double *room = calloc(5 * most + 1, sizeof *room);
+    OWNED(memory_free) size_t *run = calloc(most + 1, sizeof *run);
+    if (!room || !run)
         return status_memory(status);
-    }
     double *ratio = room, *mean = room + most;
     struct answered of = {room + 2 * most, room + 3 * most, room + 4 * most, run, 0, 0};
     for (size_t r = 0; r < measured->run_count; r++) {
@@ -320,11 +313,7 @@ enum status_code measured_fit(struct measured_answers *out, const struct measure
     out->exponent = (struct measured_exponent){.measured = NAN, .model = NAN, .sd = NAN};
     if (of.count >= of.runs + 3)
         find_exponent(&out->exponent, &of);
-    enum status_code rc =
-        estimate_make(&out->fit, of.runs > 1 ? mean : ratio, NULL, of.runs > 1 ? of.runs : of.count, true, status);
-    free(room);
-    free(run);
-    return rc;
+    return estimate_make(&out->fit, of.runs > 1 ? mean : ratio, NULL, of.runs > 1 ? of.runs : of.count, true, status);
 }
 
 void measured_answers_free(struct measured_answers *out)

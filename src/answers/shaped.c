@@ -47,7 +47,7 @@ static enum status_code own_curve(struct table *out, const struct surface_record
 {
     double loads[NODES], own_gap_m[NODES] = {0}, first = task->loads[0] * lighter, decades = -log10(first);
     size_t count = (size_t)fmin(fmax(decades * nodes_per_decade, 8), NODES);
-    struct contact_point *points = calloc(count + 1, sizeof *points);
+    OWNED(memory_free) struct contact_point *points = calloc(count + 1, sizeof *points);
     struct model_curve curve = {.points = points};
     for (size_t i = 0; i < count; i++)
         loads[i] = pow(10, decades * ((double)i / (double)(count - 1) - 1));
@@ -63,7 +63,6 @@ static enum status_code own_curve(struct table *out, const struct surface_record
             points[i].value[QUANTITY_SEPARATION] = own_gap_m[i];
         take_points(out, &curve, 1, joint, JOINT_HEAT);
     }
-    free(points);
     return status->code;
 }
 
@@ -128,7 +127,8 @@ struct solved {
 static enum status_code solve_parts(struct solved *out, struct cells *cells, double mean_Pa, struct status *status)
 {
     const struct shape_field *field = cells->joint->fields;
-    double *pressure_Pa = calloc(field->nx + 1, sizeof *pressure_Pa), load = 0, rest = 1, unused;
+    OWNED(memory_free) double *pressure_Pa = calloc(field->nx + 1, sizeof *pressure_Pa);
+    double load = 0, rest = 1, unused;
     if (!pressure_Pa)
         return status_memory(status);
     shape_field_press(pressure_Pa, field, 1, mean_Pa);
@@ -146,7 +146,6 @@ static enum status_code solve_parts(struct solved *out, struct cells *cells, dou
     }
     for (int way = 0; way < JOINT_WAYS; way++)
         out->whole[way] = 1 / out->whole[way];
-    free(pressure_Pa);
     return STATUS_OK;
 }
 
@@ -273,8 +272,8 @@ enum status_code shaped_make(struct surface_record *record, size_t m, const stru
                              const struct model_task *task, struct status *status)
 {
     struct joint_task joint = surface_joint(record, asked->scene, asked->plan, task);
-    struct table *own = calloc(1, sizeof *own);
-    struct cells *cells = calloc(1, sizeof *cells);
+    OWNED(memory_free) struct table *own = calloc(1, sizeof *own);
+    OWNED(memory_free) struct cells *cells = calloc(1, sizeof *cells);
     struct status problem = {0};
     if (!record->shapes)
         record->shapes = calloc(model_count, sizeof *record->shapes);
@@ -290,8 +289,6 @@ enum status_code shaped_make(struct surface_record *record, size_t m, const stru
     }
     if (cells)
         cells_free(cells);
-    free(cells);
-    free(own);
     if (problem.code == STATUS_OK)
         return STATUS_OK;
     if (problem.code != STATUS_MODEL)
@@ -310,8 +307,8 @@ double shaped_usual_factor(const struct model_curve *curve, const struct model_r
                                 .size_m = {length_m, length_m},
                                 .thickness_m = {INFINITY, INFINITY}};
     const struct model_task task = {.pair = joint->pair};
-    struct table *own = calloc(1, sizeof *own);
-    struct cells *cells = calloc(1, sizeof *cells);
+    OWNED(memory_free) struct table *own = calloc(1, sizeof *own);
+    OWNED(memory_free) struct cells *cells = calloc(1, sizeof *cells);
     struct status status = {0};
     struct solved at;
     double factor = NAN, slope;
@@ -328,7 +325,5 @@ double shaped_usual_factor(const struct model_curve *curve, const struct model_r
     }
     if (cells)
         cells_free(cells);
-    free(cells);
-    free(own);
     return factor;
 }

@@ -226,7 +226,7 @@ static enum status_code render_value(struct render *render, const struct token *
     const char *bar = memchr(token->start, '|', token->length);
     const size_t length = bar ? (size_t)(bar - token->start) : token->length;
     const json_t *value = look_up(render, token->start, length);
-    struct text words = {0};
+    OWNED(text_free) struct text words = {0};
     if (bar && (json_is_number(value) || json_is_object(value) || json_is_array(value)) &&
         !word_numbers(&words, value, bar + 1, token->length - length - 1))
         return status_fail(render->status, STATUS_USAGE, "'%s': no digits and unit: '%.*s'", render->name,
@@ -244,7 +244,6 @@ static enum status_code render_value(struct render *render, const struct token *
     else
         render->how->escape(render->out, text_string(&words));
     render->out->failed |= words.failed;
-    text_free(&words);
     return STATUS_OK;
 }
 
@@ -276,7 +275,7 @@ static enum status_code render_text(struct render *render, const char *source, c
 static enum status_code render_partial(struct render *render, const struct token *token)
 {
     char name[NAME_MOST];
-    struct text indented = {0};
+    OWNED(text_free) struct text indented = {0};
     snprintf(name, sizeof name, "%.*s", first_line(token->start, token->length), token->start);
     const char *source = render->how->partial ? render->how->partial(render->how->context, name) : NULL;
     if (!source)
@@ -291,7 +290,6 @@ static enum status_code render_partial(struct render *render, const struct token
         line += length;
     }
     enum status_code rc = render_text(render, text_string(&indented), name);
-    text_free(&indented);
     render->partials--;
     return rc;
 }
@@ -357,7 +355,7 @@ const char *mustache_folder_partial(void *context, const char *name)
 {
     struct mustache_folder *folder = context;
     const char *known = json_string_value(json_object_get(folder->read, name));
-    struct text path = {0}, content = {0};
+    OWNED(text_free) struct text path = {0}, content = {0};
     if (known)
         return known;
     if (!folder->read)
@@ -369,8 +367,6 @@ const char *mustache_folder_partial(void *context, const char *name)
              (strlen(text_string(&content)) < content.length ||
               json_object_set_new(folder->read, name, json_string(text_string(&content))) != 0))
         (void)status_fail(folder->status, STATUS_USAGE, "%.400s: no text in UTF-8", text_string(&path));
-    text_free(&path);
-    text_free(&content);
     return json_string_value(json_object_get(folder->read, name));
 }
 

@@ -73,15 +73,13 @@ void number_format_uncertain(struct text *out, double value, double error)
 
 void number_format_range(struct text *out, double least_value, double most_value, int digits, const char *between)
 {
-    struct text low = {0}, high = {0};
+    OWNED(text_free) struct text low = {0}, high = {0};
     const bool first = isfinite(least_value), last = isfinite(most_value);
     number_format(&low, first ? least_value : most_value, digits);
     number_format(&high, last ? most_value : least_value, digits);
     text_add(out, "%s%s", first == last ? "" : first ? "≥\u00a0" : "≤\u00a0", text_string(&low));
     if (strcmp(text_string(&low), text_string(&high)) != 0)
         text_add(out, "%s%s", between, text_string(&high));
-    text_free(&low);
-    text_free(&high);
 }
 
 enum { MOST_DIGITS = 17 };

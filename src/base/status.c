@@ -4,6 +4,7 @@
 #include <errno.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 atomic_bool status_lost;
@@ -42,4 +43,11 @@ const char *status_reason(int error)
 enum status_code status_memory(struct status *status)
 {
     return status_fail(status, STATUS_MEMORY, "out of memory");
+}
+
+void memory_free(void *pointer)
+{
+    void *memory;
+    memcpy(&memory, pointer, sizeof memory);
+    free(memory);
 }

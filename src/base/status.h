@@ -8,6 +8,8 @@
 
 #define MUST_CHECK        __attribute__((warn_unused_result))
 #define PRINTF_LIKE(f, a) __attribute__((format(printf, f, a)))
+/** Of a local variable: `release` is called with its address where its block is left, whichever way. */
+#define OWNED(release) __attribute__((cleanup(release)))
 
 enum status_code {
     STATUS_OK,
@@ -40,6 +42,9 @@ const char *status_reason(int error);
 
 /** status_fail() for a failed allocation. */
 enum status_code status_memory(struct status *status);
+
+/** The release of OWNED() memory, given the address of the pointer to it. */
+void memory_free(void *pointer);
 
 /** Memory was short in a text or a JSON tree, where not every step is checked: output of this process may be incomplete
  * and must not be handed out. */

@@ -233,7 +233,7 @@ static bool is_formula(const char *string)
 
 void text_add_csv(struct text *text, const char *string)
 {
-    struct text shown = {0};
+    OWNED(text_free) struct text shown = {0};
     text_add_shown(&shown, string);
     const char *all = text_string(&shown), *before = is_formula(all) ? "'" : "";
     text->failed = text->failed || shown.failed;
@@ -248,7 +248,6 @@ void text_add_csv(struct text *text, const char *string)
         }
         text_add_bytes(text, "\"", 1);
     }
-    text_free(&shown);
 }
 
 int text_width(const char *string, size_t length)

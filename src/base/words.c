@@ -9,12 +9,10 @@
 
 enum status_code words_read(struct words *out, const char *templates, struct status *status)
 {
-    struct text path = {0};
+    OWNED(text_free) struct text path = {0};
     *out = (struct words){.said = json_array(), .status = status};
     text_add(&path, "%s/words.txt", templates);
-    enum status_code rc = path.failed ? status_memory(status) : text_read_file(&out->file, text_string(&path), status);
-    text_free(&path);
-    return rc;
+    return path.failed ? status_memory(status) : text_read_file(&out->file, text_string(&path), status);
 }
 
 void words_free(struct words *words)
@@ -39,21 +37,20 @@ static bool find(struct text *out, const struct words *words, const char *name, 
 bool words_fill(struct text *out, struct words *words, const char *name, const json_t *view,
                 void (*escape)(struct text *out, const char *string))
 {
-    struct text source = {0};
+    OWNED(text_free) struct text source = {0};
     const struct mustache how = {.view = view, .escape = escape};
     const int length = (int)strcspn(name, "\n");
     bool found = find(&source, words, name, (size_t)length);
     if (!found)
         (void)status_fail(words->status, STATUS_USAGE, "words.txt of the templates has no '%.*s'", length, name);
     found = found && mustache_render(out, text_string(&source), "words.txt", &how, words->status) == STATUS_OK;
-    text_free(&source);
     return found;
 }
 
 bool words_add(struct text *out, struct words *words, const char *later,
                void (*escape)(struct text *out, const char *string))
 {
-    json_t *view = json_object();
+    json_auto_t *view = json_object();
     for (const char *end = later + strcspn(later, "\n"); *end;) {
         const char *name = end + 1, *text = name + strcspn(name, " \t\n");
         end = *text == '\t' ? strchr(text, '\0') : strchrnul(text, '\n');
@@ -64,15 +61,13 @@ bool words_add(struct text *out, struct words *words, const char *later,
         else
             json_object_setn_new(view, name, (size_t)(text - name), before ? json_pack("[O, o]", before, own) : own);
     }
-    const bool said = words_fill(out, words, later, view, escape);
-    json_decref(view);
-    return said;
+    return words_fill(out, words, later, view, escape);
 }
 
 const char *words_say(struct words *words, const char *format, ...)
 {
-    struct text filled = {0};
-    char *later = NULL;
+    OWNED(text_free) struct text filled = {0};
+    OWNED(memory_free) char *later = NULL;
     if (!words)
         return "";
     va_list args;
@@ -82,8 +77,6 @@ const char *words_say(struct words *words, const char *format, ...)
     if (!later || (words_add(&filled, words, later, NULL) &&
                    json_array_append_new(words->said, json_string_nocheck(text_string(&filled))) != 0))
         (void)status_memory(words->status);
-    free(later);
-    text_free(&filled);
     const json_t *said = json_array_get(words->said, json_array_size(words->said) - 1);
     return words->status->code == STATUS_OK ? json_string_value(said) : "";
 }

@@ -108,29 +108,26 @@ static double *thin(struct record_heights *out, const struct record_heights *bod
 static enum status_code add_records(struct simulated *out, const struct record_heights *scanned, unsigned long seed,
                                     const struct uncertainty_scan *scan, struct status *status)
 {
-    struct simulated_record spectrum = {0};
+    OWNED(simulated_record_free) struct simulated_record spectrum = {0};
     struct record_heights thinned, *body = &thinned;
-    double *mean_m = thin(&thinned, scanned);
+    OWNED(memory_free) double *mean_m = thin(&thinned, scanned);
     if (!mean_m)
         return status_memory(status);
-    double *height_m = malloc(2 * body->points * sizeof *height_m), *square_m2 = height_m + body->points;
-    enum status_code rc = height_m ? STATUS_OK : status_memory(status);
-    if (rc == STATUS_OK && body->points < SIMULATED_RECORD_LEAST_POINTS)
-        rc = status_fail(status, STATUS_SCAN, "%zu points are too few to simulate records of", body->points);
-    if (rc == STATUS_OK)
-        rc = multitaper_square(square_m2, body->height_m, body->points, status);
-    if (rc == STATUS_OK)
-        rc = simulated_record_prepare(&spectrum, square_m2, body->points, status);
-    for (size_t b = 0; b < RECORDS && rc == STATUS_OK; b++) {
-        rc = simulated_record_draw(height_m, &spectrum, seed + b, status);
-        if (rc == STATUS_OK)
-            rc = ensemble_add(&out->records, b, &(struct record_heights){height_m, body->points, body->spacing_m},
-                              &scan->how, status);
-    }
-    simulated_record_free(&spectrum);
-    free(height_m);
-    free(mean_m);
-    return rc;
+    OWNED(memory_free) double *height_m = malloc(2 * body->points * sizeof *height_m);
+    if (!height_m)
+        return status_memory(status);
+    if (body->points < SIMULATED_RECORD_LEAST_POINTS)
+        return status_fail(status, STATUS_SCAN, "%zu points are too few to simulate records of", body->points);
+    double *square_m2 = height_m + body->points;
+    if (multitaper_square(square_m2, body->height_m, body->points, status) != STATUS_OK ||
+        simulated_record_prepare(&spectrum, square_m2, body->points, status) != STATUS_OK)
+        return status->code;
+    const struct record_heights drawn = {height_m, body->points, body->spacing_m};
+    for (size_t b = 0; b < RECORDS; b++)
+        if (simulated_record_draw(height_m, &spectrum, seed + b, status) != STATUS_OK ||
+            ensemble_add(&out->records, b, &drawn, &scan->how, status) != STATUS_OK)
+            return status->code;
+    return STATUS_OK;
 }
 
 /** Simulates both bodies, pressed against each other. */
@@ -157,13 +154,14 @@ static enum status_code run_one(struct uncertainty *out, const struct simulated 
     double load[UNCERTAINTY_LOADS], record[RECORDS], quarter[QUARTERS];
     size_t loads = record_loads(load, scan->task);
     struct model_task own = model_task_at(scan->task, load, loads);
-    struct ensemble_curves records = {.count = 0}, quarters = {.count = 0};
+    OWNED(ensemble_curves_free) struct ensemble_curves records = {.count = 0}, quarters = {.count = 0};
     own.wanted &= ~QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT);
-    enum status_code rc = ensemble_run(&records, &simulated->records, model, &own, scan->joint, status);
-    if (rc == STATUS_OK && simulated->quarters.count > 0)
-        rc = ensemble_run(&quarters, &simulated->quarters, model, &own, scan->joint, status);
+    if (ensemble_run(&records, &simulated->records, model, &own, scan->joint, status) != STATUS_OK ||
+        (simulated->quarters.count > 0 &&
+         ensemble_run(&quarters, &simulated->quarters, model, &own, scan->joint, status) != STATUS_OK))
+        return status->code;
     out->loads = loads;
-    for (size_t i = 0; i < loads && rc == STATUS_OK; i++)
+    for (size_t i = 0; i < loads; i++)
         for (int q = 0; q < QUANTITY_COUNT; q++) {
             enum quantity shown = model_shown(model, (enum quantity)q);
             answers_of(record, RECORDS, &records, shown, i, load[i]);
@@ -172,9 +170,7 @@ static enum status_code run_one(struct uncertainty *out, const struct simulated 
             out->s[q][i] =
                 (quantity_rows[q].is & QUANTITY_BANDED) ? single_scan_s(record, RECORDS, quarter, QUARTERS) : NAN;
         }
-    ensemble_curves_free(&records);
-    ensemble_curves_free(&quarters);
-    return rc;
+    return STATUS_OK;
 }
 
 double uncertainty_seconds(size_t points)
@@ -271,7 +267,7 @@ enum status_code uncertainty_run(struct surface_record *record, const struct sur
     for (size_t k = 0; k < 2 && bodies[k]; k++)
         scan.body[k] = (struct record_heights){bodies[k]->height_m, bodies[k]->summary.single_points,
                                                bodies[k]->summary.spacing_m / surface_kappa(summary)};
-    struct uncertainty *all = calloc(model_count, sizeof *all);
+    OWNED(memory_free) struct uncertainty *all = calloc(model_count, sizeof *all);
     if (!all)
         return status_memory(status);
     struct status problem = {0};
@@ -283,7 +279,6 @@ enum status_code uncertainty_run(struct surface_record *record, const struct sur
             const bool own = uncertainty_holds(asked->plan, m); /* else that of the leading model */
             rc = put_errors(record, m, &all[own ? m : plan_leading_model(asked->plan)], own, &scan, status);
         }
-    free(all);
     summary->times.uncertainty += clock_seconds() - started;
     return rc == STATUS_SCAN ? STATUS_OK : rc; /* no records of this one */
 }

@@ -190,12 +190,11 @@ void chart_mark(struct chart *chart, bool vertical, double at, const char *name)
 void chart_name_row(struct chart *chart, double y, const char *name)
 {
     struct chart_panel *panel = last(chart);
-    struct text label = {0};
+    OWNED(text_free) struct text label = {0};
     for (const char *c = name; *c; c++) /* gnuplot takes a tic's name for a format */
         text_add_bytes(&label, *c == '%' ? "%%" : c, *c == '%' ? 2 : 1);
     chart_end(chart);
     json_array_append_new(panel->names, json_pack("{sf so}", "at", y, "label", json_shown(text_string(&label))));
-    text_free(&label);
     reach(&panel->y, y - 0.4); /* room above for what is marked */
     reach(&panel->y, y + 0.9);
 }
@@ -204,7 +203,7 @@ void chart_name_row(struct chart *chart, double y, const char *name)
 static json_t *tick_label(double at, bool logarithmic, bool letters)
 {
     double size = fabs(at);
-    struct text out = {0};
+    OWNED(text_free) struct text out = {0};
     if (letters)
         text_add(&out, "%.6g", at);
     else if (size == 0 || (size >= 0.99e-3 && size < 9.9e3) || !logarithmic)
@@ -215,9 +214,7 @@ static json_t *tick_label(double at, bool logarithmic, bool letters)
             text_add(&out, "%d·", digit);
         number_power_of_ten(&out, power);
     }
-    json_t *label = json_string(text_string(&out));
-    text_free(&out);
-    return label;
+    return json_string(text_string(&out));
 }
 
 static void add_tick(json_t *ticks, double at, bool logarithmic, bool letters)
@@ -430,30 +427,24 @@ enum status_code chart_script(struct text *out, struct chart *chart, struct must
     drop_empty(chart);
     struct layout layout = layout_of(chart);
     layout.letters = terminal_size != NULL;
-    json_t *view = json_pack("{ss si sf si sb sO sb sI sf sf sb}", "name", chart->name, "width", WIDTH, "height",
-                             ceil(layout.height), "font", FONT, "letters", terminal_size != NULL, "legend",
-                             chart->legend, "has_legend", json_array_size(chart->legend) > 0, "legend_columns",
-                             (json_int_t)layout.legend_columns, "legend_x", layout.legend_x / WIDTH, "legend_y",
-                             1 - layout.legend_y / layout.height, "legend_beside", layout.legend_beside);
+    json_auto_t *view = json_pack("{ss si sf si sb sO sb sI sf sf sb}", "name", chart->name, "width", WIDTH, "height",
+                                  ceil(layout.height), "font", FONT, "letters", terminal_size != NULL, "legend",
+                                  chart->legend, "has_legend", json_array_size(chart->legend) > 0, "legend_columns",
+                                  (json_int_t)layout.legend_columns, "legend_x", layout.legend_x / WIDTH, "legend_y",
+                                  1 - layout.legend_y / layout.height, "legend_beside", layout.legend_beside);
     json_t *panels = json_array();
     for (size_t p = 0; p < chart->panels; p++)
         json_array_append_new(panels, panel_view(chart, &layout, p));
     json_object_set_new(view, "panels", panels);
     json_object_set_new(view, "size", json_string(terminal_size ? terminal_size : ""));
-    enum status_code rc =
-        mustache_file(out, templates, terminal_size ? "charts/letters" : "charts/panels", view, chart_escape);
-    json_decref(view);
-    return rc;
+    return mustache_file(out, templates, terminal_size ? "charts/letters" : "charts/panels", view, chart_escape);
 }
 
 enum status_code chart_write(struct chart *chart, struct mustache_folder *templates, const char *directory)
 {
-    struct text script = {0};
-    enum status_code rc = chart_script(&script, chart, templates, NULL);
-    if (rc == STATUS_OK)
-        rc = text_save(&script, templates->status, "%s/%s.gp", directory, chart->name);
-    if (rc == STATUS_OK)
-        rc = text_save(&chart->data, templates->status, "%s/%s.csv", directory, chart->name);
-    text_free(&script);
-    return rc;
+    OWNED(text_free) struct text script = {0};
+    if (chart_script(&script, chart, templates, NULL) != STATUS_OK ||
+        text_save(&script, templates->status, "%s/%s.gp", directory, chart->name) != STATUS_OK)
+        return templates->status->code;
+    return text_save(&chart->data, templates->status, "%s/%s.csv", directory, chart->name);
 }

@@ -133,11 +133,9 @@ static struct chart_curve model_look(size_t m)
 /** A name, shortened for a legend or a title. */
 static const char *short_name(const struct source *source, const char *name)
 {
-    struct text cut = {0};
+    OWNED(text_free) struct text cut = {0};
     words_cut(&cut, name, strlen(name), 28);
-    const char *said = SAY("name\nsurface\t%s", text_string(&cut));
-    text_free(&cut);
-    return said;
+    return SAY("name\nsurface\t%s", text_string(&cut));
 }
 
 /** Of more than eight surfaces the best, the worst and the baseline stand out. */
@@ -331,11 +329,10 @@ static void make_answer(struct chart *chart, const struct source *source)
     mark_target(chart, source, false);
     const struct asked_load as = asked_load_of(results, results->baseline);
     const double load = as.scale * results_operating_load(results, results->baseline);
-    struct text value = {0};
+    OWNED(text_free) struct text value = {0};
     number_format(&value, load, 3);
     chart_mark(chart, true, load,
                SAY("operating_load\nvalue %s%s%s", text_string(&value), as.unit[0] ? no_break : "", as.unit));
-    text_free(&value);
 }
 
 /** What has an answer at the operating load: a model, a surface. */
@@ -393,6 +390,7 @@ static struct row surface_row(const struct source *source, size_t surface)
 static void make_surfaces_at_load(struct chart *chart, const struct source *source)
 {
     const struct results *results = source->results;
+    OWNED(memory_free)
     struct row *rows = results->usable_count > 1 ? calloc(results->usable_count, sizeof *rows) : NULL;
     size_t count = 0;
     for (size_t k = 0; rows && k < results->usable_count; k++) {
@@ -423,7 +421,6 @@ static void make_surfaces_at_load(struct chart *chart, const struct source *sour
                 chart->notes |= NOTE(FIGURE_LIMIT);
             }
     }
-    free(rows);
 }
 
 /** Every model and the direct solution, the nearest to it (else to the leading model) on top. */
@@ -566,7 +563,7 @@ static void make_convergence(struct chart *chart, const struct source *source)
     for (int s = 0; s < CONVERGENCE_SWEEP_COUNT && results->convergence; s++)
         for (size_t m = 0; m < model_count; m++) {
             const struct convergence_sweep_row *sweep = &convergence_sweeps[s];
-            struct text load = {0};
+            OWNED(text_free) struct text load = {0};
             if (!plan_runs_model(results->plan, m) || !model_rows[m]->stacks_scales)
                 continue;
             chart->number = 1 + 2 * s + model_rows[m]->plastic;
@@ -575,7 +572,6 @@ static void make_convergence(struct chart *chart, const struct source *source)
                         SAY("%s\nnumber 6-%02d\nmodel %s\nload %s", parameter[s][1], chart->number,
                             model_rows[m]->label, text_string(&load)),
                         SAY("axis.shortest_wavelength"), SAY("axis.area_ratio"), true, true);
-            text_free(&load);
             for (size_t v = 0; v < sweep->count; v++) {
                 const double *area = results_sweep(results, (enum convergence_sweep)s, m, v);
                 CURVE(.legend = SAY("%s\nvalue %g", parameter[s][0], sweep->values[v]),
@@ -869,7 +865,7 @@ static void draw_file(const struct source *source, const char *name)
 /** Writes the files of a chart with anything to see and has gnuplot draw it; with letters too for a `terminal`. */
 static void draw_one(struct figures *out, struct chart *chart, bool terminal, const struct source *source)
 {
-    struct text letters = {0};
+    OWNED(text_free) struct text letters = {0};
     chart_end(chart);
     if (chart->blocks > 0 && chart_write(chart, source->templates, source->directory) == STATUS_OK) {
         draw_file(source, chart->name);
@@ -882,7 +878,6 @@ static void draw_one(struct figures *out, struct chart *chart, bool terminal, co
         out->count++;
     }
     chart_free(chart);
-    text_free(&letters);
 }
 
 void figures_map_name(char *out, size_t size, const char *surface)
@@ -907,7 +902,7 @@ static enum status_code write_map(const struct surface_record *record, const cha
     struct status *status = source->templates->status;
     const double length = small ? 1e6 : 1e3, cell = contact->cell_m * length,
                  stress = pair->unknown ? 1 : pair->effective_modulus_Pa * 1e-6;
-    struct text script = {0}, data = {0};
+    OWNED(text_free) struct text script = {0}, data = {0};
     text_add(&data, "%zu", cells); /* no column is computed in gnuplot, which takes 10 us for each value */
     for (size_t i = 0; i < cells; i++)
         text_add(&data, ",%.6g", ((double)i + 0.5) * cell);
@@ -924,21 +919,16 @@ static enum status_code write_map(const struct surface_record *record, const cha
     for (size_t i = 0; i < contact->points; i++)
         text_add(&data, "%.6g,%.6g\n", (double)i * contact->spacing_m * length, contact->pressure[i] * stress);
     const bool turned = source->results->scene->direction == SCAN_DIRECTION_Y; /* the map was, to read its columns */
-    json_t *view = json_pack("{ss so ss ss ss si sf sf sb sb}", "name", name, "title", json_shown(title), "length_unit",
-                             small ? "µm" : "mm", "along", turned ? "y" : "x", "across", turned ? "x" : "y", "cells",
-                             (int)cells, "side", side_m * length, "section", contact->section_m * length,
-                             "has_material", !pair->unknown, "flows", flows);
+    json_auto_t *view = json_pack("{ss so ss ss ss si sf sf sb sb}", "name", name, "title", json_shown(title),
+                                  "length_unit", small ? "µm" : "mm", "along", turned ? "y" : "x", "across",
+                                  turned ? "x" : "y", "cells", (int)cells, "side", side_m * length, "section",
+                                  contact->section_m * length, "has_material", !pair->unknown, "flows", flows);
     if (flows)
         json_set(view, "hardness", pair->hardness_Pa / pair->effective_modulus_Pa * stress);
-    enum status_code rc = mustache_file(&script, source->templates, "charts/map", view, chart_escape);
-    if (rc == STATUS_OK)
-        rc = text_save(&script, status, "%s/%s.gp", source->directory, name);
-    if (rc == STATUS_OK)
-        rc = text_save(&data, status, "%s/%s.csv", source->directory, name);
-    json_decref(view);
-    text_free(&script);
-    text_free(&data);
-    return rc;
+    if (mustache_file(&script, source->templates, "charts/map", view, chart_escape) != STATUS_OK ||
+        text_save(&script, status, "%s/%s.gp", source->directory, name) != STATUS_OK)
+        return status->code;
+    return text_save(&data, status, "%s/%s.csv", source->directory, name);
 }
 
 /** The contact of the first maps that are shown, as many as a page can hold: map-NAME, what may be in a file's name of
@@ -951,7 +941,7 @@ static void draw_maps(struct figures *out, const struct source *source)
         const struct surface_record *record = &results->surfaces[surface];
         const struct asked_load load = asked_load_of(results, surface);
         char *name = out->figure[out->count].name;
-        struct text at = {0};
+        OWNED(text_free) struct text at = {0};
         if (record->contact.cells == 0)
             continue;
         maps++;
@@ -965,15 +955,14 @@ static void draw_maps(struct figures *out, const struct source *source)
         if (write_map(record, name, text_string(&at), source) == STATUS_OK)
             draw_file(source, name);
         out->figure[out->count++].map = surface + 1;
-        text_free(&at);
     }
 }
 
 enum status_code figures_draw(struct figures *out, const struct results *results, const struct figures_task *task,
                               struct status *status)
 {
-    struct mustache_folder templates = {task->templates, ".gp", NULL, status};
-    struct text directory = {0};
+    OWNED(mustache_folder_free) struct mustache_folder templates = {task->templates, ".gp", NULL, status};
+    OWNED(text_free) struct text directory = {0};
     text_add(&directory, "%s/figures", task->directory);
     const struct surface_record *baseline = &results->surfaces[results->baseline];
     const struct heating_metal *metal = heating_metal_find(scene_softer(&baseline->summary.scene->bodies)->name);
@@ -1009,30 +998,26 @@ enum status_code figures_draw(struct figures *out, const struct results *results
     }
     if (!task->cost && !task->brief && status->code == STATUS_OK)
         draw_maps(out, &source);
-    text_free(&directory);
-    mustache_folder_free(&templates);
     return status->code;
 }
 
 enum status_code figures_finish(struct text *letters, const struct figures *figures, const struct figures_task *task,
                                 struct status *status)
 {
-    enum status_code rc = gnuplot_finish(task->gnuplot, status);
-    for (size_t i = 0; i < figures->count && rc == STATUS_OK; i++) {
+    (void)!gnuplot_finish(task->gnuplot, status);
+    for (size_t i = 0; i < figures->count && status->code == STATUS_OK; i++) {
         const char *name = figures->figure[i].name;
-        struct text file = {0};
+        OWNED(text_free) struct text file = {0}, in_letters = {0};
         struct stat drawn;
         text_add(&file, "%s/figures/%s.svg", task->directory, name);
+        text_add(&in_letters, "%s/figures/%s.txt", task->directory, name);
         if (stat(text_string(&file), &drawn) != 0 || drawn.st_size == 0)
-            rc = status_fail(status, STATUS_CHART,
-                             "gnuplot did not draw '%s.svg' and did not say why: see whether it runs by itself "
-                             "('gnuplot -d')",
-                             name);
-        text_free(&file);
-        text_add(&file, "%s/figures/%s.txt", task->directory, name);
-        if (rc == STATUS_OK && figures->figure[i].terminal)
-            rc = gnuplot_take_text(letters, text_string(&file), status);
-        text_free(&file);
+            return status_fail(status, STATUS_CHART,
+                               "gnuplot did not draw '%s.svg' and did not say why: see whether it runs by itself "
+                               "('gnuplot -d')",
+                               name);
+        if (figures->figure[i].terminal)
+            (void)!gnuplot_take_text(letters, text_string(&in_letters), status);
     }
-    return rc;
+    return status->code;
 }

@@ -82,7 +82,7 @@ void gnuplot_send(struct gnuplot *gnuplot, const char *command)
  * is the one to report, else the first with anything on it. */
 static void gnuplot_first_complaint(char *out, size_t size, FILE *complaints)
 {
-    char *line = NULL;
+    OWNED(memory_free) char *line = NULL;
     size_t capacity = 0;
     out[0] = '\0';
     rewind(complaints);
@@ -100,7 +100,6 @@ static void gnuplot_first_complaint(char *out, size_t size, FILE *complaints)
         if (telling)
             break;
     }
-    free(line);
     for (char *c = out; *c; c++)
         if ((unsigned char)*c < 0x20 || *c == 0x7f)
             *c = '?';
@@ -148,7 +147,7 @@ enum status_code gnuplot_finish(struct gnuplot *gnuplot, struct status *status)
 
 enum status_code gnuplot_take_text(struct text *out, const char *path, struct status *status)
 {
-    struct text drawn = {0};
+    OWNED(text_free) struct text drawn = {0};
     enum status_code code = text_read_file(&drawn, path, status);
     unlink(path);
     for (const char *line = text_string(&drawn); *line;) {
@@ -160,6 +159,5 @@ enum status_code gnuplot_take_text(struct text *out, const char *path, struct st
         text_add_bytes(out, "\n", 1);
         line += length + (line[length] == '\n');
     }
-    text_free(&drawn);
     return code;
 }

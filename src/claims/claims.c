@@ -143,12 +143,11 @@ static void put_range(struct claims *c, const char *name, double low, double hig
 static void put_shown(struct claims *c, const char *name, json_t *numbers, const double shown[2], int digits,
                       const char *unit)
 {
-    struct text text = {0};
+    OWNED(text_free) struct text text = {0};
     json_object_set_new(c->numbers, name, numbers);
     number_format_range(&text, shown[0], shown[1], digits, " to ");
     text_add(&text, "%s%s", unit[0] ? "\u00a0" : "", unit);
     put_text(c, name, text_string(&text));
-    text_free(&text);
 }
 
 static void put_number(struct claims *c, const char *name, double value, double shown, int digits, const char *unit)
@@ -184,7 +183,7 @@ static void put_surface(struct claims *c, size_t surface)
 /** "a", "a and b", "a, b and 3 more"; false: none. */
 static bool put_names(struct claims *c, const struct named *named)
 {
-    struct text text = {0};
+    OWNED(text_free) struct text text = {0};
     for (size_t i = 0; i < named->count && i < NAMED; i++)
         text_add(&text, "%s%s", i == 0 ? "" : named->count == NAMED ? " and " : ", ", name_of(c, named->surface[i]));
     if (named->count > NAMED)
@@ -192,7 +191,6 @@ static bool put_names(struct claims *c, const struct named *named)
     if (named->count == 1 && !c->surface)
         c->surface = json_shown(name_of(c, named->surface[0]));
     put_text(c, "names", text_string(&text));
-    text_free(&text);
     return named->count > 0;
 }
 
@@ -469,11 +467,10 @@ static bool rank(struct claims *c)
     put_text(c, "next", name_of(c, ranking->surface[1]));
     (void)put_names(c, &like);
     json_set(c->numbers, "p", p);
-    struct text shown = {0};
+    OWNED(text_free) struct text shown = {0};
     text_add(&shown, p < 0.01 ? "<\u00a0" : like.count > 1 ? "≥\u00a0" : "=\u00a0");
     number_format(&shown, fmin(fmax(p, 0.01), like.count > 1 ? 0.99 : 1), 2);
     put_text(c, "p", text_string(&shown));
-    text_free(&shown);
     c->key = like.count == 0                   ? "best"
              : like.count + 1 < ranking->count ? "same-some"
              : ranking->count == 2             ? "same-two"
@@ -962,12 +959,10 @@ static void start(struct claims *c, const struct claim_row *row, size_t i)
 /** Adds the words of a name to both texts. */
 static bool add_words(struct claims *c, const char *name)
 {
-    json_t *view = json_copy(c->told);
+    json_auto_t *view = json_copy(c->told);
     json_object_update_missing(view, c->numbers);
-    const bool said = words_fill(&c->text, c->words, name, view, text_add_unmarked) &&
-                      words_fill(&c->markdown, c->words, name, view, text_add_markdown_shown);
-    json_decref(view);
-    return said;
+    return words_fill(&c->text, c->words, name, view, text_add_unmarked) &&
+           words_fill(&c->markdown, c->words, name, view, text_add_markdown_shown);
 }
 
 static void add_both(struct claims *c, const char *string)
@@ -1018,7 +1013,8 @@ enum status_code claims_make(json_t **out, const struct results *results, const 
                            [ABOUT_SURFACES] = results->surface_count,
                            [ABOUT_TARGETS] = results->scene->target_count,
                            [ABOUT_LIMITS] = results->scene->limit_count};
-    double *weights = calloc(ROWS + ends[ABOUT_TARGETS] + 3 * ends[ABOUT_LIMITS], sizeof *weights), interval = 0;
+    OWNED(memory_free) double *weights = calloc(ROWS + ends[ABOUT_TARGETS] + 3 * ends[ABOUT_LIMITS], sizeof *weights);
+    double interval = 0;
     json_t *list = json_array();
     size_t first = 0;
     for (const struct claim_row *row = rows; row < rows + ROWS && weights && list; row++) {
@@ -1042,7 +1038,6 @@ enum status_code claims_make(json_t **out, const struct results *results, const 
     start(&c, NULL, 0);
     if (!weights || !list)
         (void)status_memory(status);
-    free(weights);
     *out = list;
     return status->code;
 }

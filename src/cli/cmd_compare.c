@@ -46,9 +46,9 @@ int command_compare(int argc, char **argv)
 {
     struct arguments arguments = {0};
     struct status status = {0};
-    struct text words = {0}, page = {0};
+    OWNED(text_free) struct text words = {0}, page = {0};
     const char *templates = "";
-    json_t *view = NULL;
+    json_auto_t *view = NULL;
     command_parse(&command_compare_argp, argc, argv, &arguments);
     enum status_code rc = report_compare(&view, arguments.outs, arguments.count, &status);
     if (rc == STATUS_OK && arguments.format != JSON && (rc = command_templates(&templates, &status)) == STATUS_OK)
@@ -60,8 +60,5 @@ int command_compare(int argc, char **argv)
     if (arguments.format == JSON)
         command_json_print(json_incref(view));
     fputs(text_string(page.length > 0 ? &page : &words), stdout);
-    text_free(&page);
-    text_free(&words);
-    json_decref(view);
     return command_finish(rc == STATUS_OK ? COMMAND_DONE : command_fail(&status), NULL);
 }

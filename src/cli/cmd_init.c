@@ -73,7 +73,7 @@ static enum status_code add_surface(json_t *view, const struct scene *scene, con
     json_t *files = paths_json(&surface->files), *along = paths_json(&surface->along),
            *name = json_shown(surface->name);
     bool several = surface->files.count > 1, folder = strchr(surface->files.path[0], '/');
-    char *path = scene_file_path(scene, surface->files.path[0]);
+    OWNED(memory_free) char *path = scene_file_path(scene, surface->files.path[0]);
     bool good = json_string_length(name) <= limit_most(LIMIT_NAME_BYTES) &&
                 json_array_size(files) == surface->files.count && json_array_size(along) == surface->along.count;
     json_t *one =
@@ -85,7 +85,6 @@ static enum status_code add_surface(json_t *view, const struct scene *scene, con
     if (good && path)
         add_lacks(one, path);
     json_array_append_new(json_object_get(view, good ? "surfaces" : "left_out"), one);
-    free(path);
     return one && path ? status->code : status_memory(status);
 }
 
@@ -123,32 +122,30 @@ static void add_mates(json_t *view, const struct scene *scene)
 /** The scene as text. */
 static enum status_code make_text(struct text *out, struct scene *scene, const char *templates, struct status *status)
 {
-    struct mustache_folder folder = {templates, ".yaml", NULL, status};
-    json_t *view = json_pack("{s:o, s:[], s:[]}", "passed_over",
-                             json_lines(scene->passed_over ? scene->passed_over : ""), "surfaces", "left_out");
-    enum status_code rc = view ? scene_join_repeats(scene, status) : status_memory(status);
-    for (size_t i = 0; i < scene->surface_count && rc == STATUS_OK; i++)
-        rc = add_surface(view, scene, &scene->surfaces[i], status);
-    if (rc == STATUS_OK)
-        add_mates(view, scene);
-    if (rc == STATUS_OK)
-        json_object_set_new(view, "any", json_boolean(json_array_size(json_object_get(view, "surfaces")) > 0));
-    if (rc == STATUS_OK)
-        rc = mustache_file(out, &folder, "scene", view, add_quoted);
-    if (rc == STATUS_OK && out->length > SCENE_BYTES_MOST)
-        rc = status_fail(status, STATUS_SCENE, "%zu surfaces in '%s', more than one scene can list; split them",
-                         scene->surface_count, scene->directory);
-    mustache_folder_free(&folder);
-    json_decref(view);
-    return rc;
+    OWNED(mustache_folder_free) struct mustache_folder folder = {templates, ".yaml", NULL, status};
+    json_auto_t *view = json_pack("{s:o, s:[], s:[]}", "passed_over",
+                                  json_lines(scene->passed_over ? scene->passed_over : ""), "surfaces", "left_out");
+    if (!view)
+        return status_memory(status);
+    if (scene_join_repeats(scene, status) != STATUS_OK)
+        return status->code;
+    for (size_t i = 0; i < scene->surface_count; i++)
+        if (add_surface(view, scene, &scene->surfaces[i], status) != STATUS_OK)
+            return status->code;
+    add_mates(view, scene);
+    json_object_set_new(view, "any", json_boolean(json_array_size(json_object_get(view, "surfaces")) > 0));
+    if (mustache_file(out, &folder, "scene", view, add_quoted) == STATUS_OK && out->length > SCENE_BYTES_MOST)
+        return status_fail(status, STATUS_SCENE, "%zu surfaces in '%s', more than one scene can list; split them",
+                           scene->surface_count, scene->directory);
+    return status->code;
 }
 
 int command_init(int argc, char **argv)
 {
     const char *directory = NULL;
     struct status status = {0};
-    struct scene scene = {0};
-    struct text text = {0};
+    OWNED(scene_free) struct scene scene = {0};
+    OWNED(text_free) struct text text = {0};
     const char *templates = "";
     const struct scene_overrides empty = {.text = &(struct text){0}}; /* whatever scene there is */
     command_parse(&command_init_argp, argc, argv, &directory);
@@ -163,7 +160,5 @@ int command_init(int argc, char **argv)
         rc = make_text(&text, &scene, templates, &status);
     if (rc == STATUS_OK)
         rc = command_write(scene.path, &text, true, &status);
-    scene_free(&scene);
-    text_free(&text);
     return command_finish(rc == STATUS_OK ? COMMAND_DONE : command_fail(&status), NULL);
 }

@@ -82,10 +82,10 @@ static error_t parse(int key, char *value, struct argp_state *state)
 static enum status_code draw(const struct profile *profile, struct status *status)
 {
     enum { MOST = 400 }; /* points; no terminal shows more */
-    struct text letters = {0}, script = {0};
+    OWNED(text_free) struct text letters = {0}, script = {0};
     const char *folder = "";
-    struct chart chart = chart_make("profile");
-    struct words words = {0};
+    OWNED(chart_free) struct chart chart = chart_make("profile");
+    OWNED(words_free) struct words words = {0};
     struct gnuplot gnuplot;
     struct temporary temporary;
     char size[40], path[PATH_MAX + 32];
@@ -95,7 +95,7 @@ static enum status_code draw(const struct profile *profile, struct status *statu
     if (temporary_make(&temporary, NULL, NULL, status) != STATUS_OK)
         return status->code;
     enum status_code rc = command_templates(&folder, status);
-    struct mustache_folder templates = {folder, ".gp", NULL, status};
+    OWNED(mustache_folder_free) struct mustache_folder templates = {folder, ".gp", NULL, status};
     if (rc == STATUS_OK && (rc = words_read(&words, folder, status)) == STATUS_OK) {
         chart_panel(&chart, words_say(&words, "inspect.profile"), words_say(&words, "inspect.profile.x"),
                     words_say(&words, "inspect.profile.y"), false, false);
@@ -116,11 +116,6 @@ static enum status_code draw(const struct profile *profile, struct status *statu
         rc = gnuplot_take_text(&letters, path, status);
     temporary_remove(&temporary);
     fputs(text_string(&letters), stdout);
-    chart_free(&chart);
-    words_free(&words);
-    mustache_folder_free(&templates);
-    text_free(&script);
-    text_free(&letters);
     return rc;
 }
 
@@ -148,17 +143,15 @@ static void show(struct outcome *outcome, const struct arguments *arguments, con
                  const struct inspection *inspection)
 {
     struct status chart = {0};
-    struct text lines = {0};
+    OWNED(text_free) struct text lines = {0};
     outcome->scans++;
     if (arguments->json) {
         json_array_append_new(outcome->all, inspection_json(path, inspection));
         return;
     }
-    json_t *view = inspection_view(path, inspection);
+    json_auto_t *view = inspection_view(path, inspection);
     if (mustache_file(&lines, &outcome->templates, "inspect", view, NULL) == STATUS_OK)
         fputs(text_string(&lines), stdout);
-    json_decref(view);
-    text_free(&lines);
     if ((arguments->chart || isatty(STDOUT_FILENO)) && inspection->profile.points > 0 &&
         draw(&inspection->profile, &chart) != STATUS_OK)
         command_complain("no chart: ", chart.message);
@@ -169,7 +162,7 @@ static void inspect_file(struct outcome *outcome, const struct arguments *argume
                          struct scan_options how)
 {
     struct status status = {0};
-    struct text text = {0};
+    OWNED(text_free) struct text text = {0};
     enum status_code code =
         strcmp(path, "-") == 0 ? text_read_stream(&text, stdin, "-", &status) : text_read_file(&text, path, &status);
     const struct scan_bytes file = {text_string(&text), text.length, path};
@@ -179,7 +172,7 @@ static void inspect_file(struct outcome *outcome, const struct arguments *argume
     while (code == STATUS_OK) {
         struct status problem = {0};
         struct inspection inspection;
-        struct text name = {0};
+        OWNED(text_free) struct text name = {0};
         bool good = inspection_make(&inspection, &file, &how, &arguments->how, &problem) == STATUS_OK;
         const char *part = inspection.scan.part;
         text_add(&name, *part ? "%s(%s)" : "%s%s", path, part);
@@ -188,12 +181,10 @@ static void inspect_file(struct outcome *outcome, const struct arguments *argume
         else
             refuse(outcome, arguments, text_string(&name), problem.message);
         how.entry = inspection.scan.next_entry;
-        text_free(&name);
         inspection_free(&inspection);
         if (how.entry == 0)
             break;
     }
-    text_free(&text);
 }
 
 /** The command line's options, else the scene's. */
@@ -228,12 +219,11 @@ static void inspect_directory(struct outcome *outcome, const struct arguments *a
         const size_t across = surface->files.count;
         for (size_t f = 0; f < across + surface->along.count; f++) {
             const char *path_of = f < across ? surface->files.path[f] : surface->along.path[f - across];
-            char *file = scene_file_path(&scene, path_of);
+            OWNED(memory_free) char *file = scene_file_path(&scene, path_of);
             if (file)
                 inspect_file(outcome, &own, file, options_of(arguments, surface));
             else
                 refuse(outcome, arguments, path_of, "out of memory");
-            free(file);
         }
     }
     scene_free(&scene);

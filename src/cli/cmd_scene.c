@@ -164,11 +164,9 @@ static json_t *begin_json(const char *directory, const char *messages, int exit_
 /** The path of results.json, beside the page. */
 static json_t *results_json(const char *page)
 {
-    struct text path = {0};
+    OWNED(text_free) struct text path = {0};
     text_add(&path, "%.*s/results.json", (int)(strrchr(page, '/') - page), page);
-    json_t *json = json_shown(text_string(&path));
-    text_free(&path);
-    return json;
+    return json_shown(text_string(&path));
 }
 
 /** The outcome of a report on `directory`: `outcome` NULL where it did not begin, `error` NULL where it was written. */
@@ -240,7 +238,7 @@ static void print_plan(const struct results *results, double rough_seconds, cons
 static void progress(const char *stage, const char *name, double done, double all)
 {
     static double started;
-    struct text shown = {0};
+    OWNED(text_free) struct text shown = {0};
     if (done <= 0)
         started = clock_seconds();
     double left = (clock_seconds() - started) * (all - done) / done;
@@ -252,7 +250,6 @@ static void progress(const char *stage, const char *name, double done, double al
     if (done < all && done > 0)
         fprintf(stderr, left < 100 ? ", %.0f s left" : ", %.0f min left", left < 100 ? left : left / 60);
     fflush(stderr);
-    text_free(&shown);
 }
 
 static void print_time(const char *stage, double seconds)
@@ -339,8 +336,8 @@ static int run(int argc, char **argv, const struct argp *argp, bool direct)
 {
     struct arguments arguments = {.overrides.direct = direct};
     struct status status = {0};
-    struct scene scene = {0};
-    struct run_outcome outcome = {0};
+    OWNED(scene_free) struct scene scene = {0};
+    OWNED(run_outcome_free) struct run_outcome outcome = {0};
     command_parse(argp, argc, argv, &arguments);
     enum status_code rc = scene_read(&scene, arguments.directory, &arguments.overrides, &status);
     if (rc == STATUS_OK && arguments.check && scene.limit_count == 0) /* a check of nothing must not pass */
@@ -349,9 +346,7 @@ static int run(int argc, char **argv, const struct argp *argp, bool direct)
     if (rc == STATUS_OK)
         rc = command_templates(&arguments.run.templates, &status);
     int exit_status = rc == STATUS_OK ? report(&outcome, &arguments, &scene, &status) : fail(&arguments, NULL, &status);
-    scene_free(&scene);
     exit_status = command_finish(exit_status, outcome.path);
-    run_outcome_free(&outcome);
     return exit_status;
 }
 
@@ -417,9 +412,9 @@ int command_plan(int argc, char **argv)
 {
     struct arguments arguments = {0};
     struct status status = {0};
-    struct scene scene = {0};
-    struct all_surfaces prepared = {0};
-    struct text messages = {0}, table = {0};
+    OWNED(scene_free) struct scene scene = {0};
+    OWNED(all_surfaces_free) struct all_surfaces prepared = {0};
+    OWNED(text_free) struct text messages = {0}, table = {0};
     command_parse(&command_plan_argp, argc, argv, &arguments);
     enum status_code rc = scene_read(&scene, arguments.directory, &arguments.overrides, &status);
     if (rc == STATUS_OK && (rc = command_templates(&arguments.run.templates, &status)) == STATUS_OK)
@@ -439,9 +434,5 @@ int command_plan(int argc, char **argv)
     if (arguments.json)
         print_plan(rc == STATUS_OK ? results : NULL, seconds, arguments.directory, text_string(&messages), exit_status,
                    status.message);
-    text_free(&messages);
-    text_free(&table);
-    all_surfaces_free(&prepared);
-    scene_free(&scene);
     return command_finish(exit_status, NULL);
 }

@@ -87,7 +87,8 @@ static enum status_code make_map(double *height_m, const struct synth_def *def, 
     const double cutoff_m = def->lambda_s_m > 0 ? def->lambda_s_m : 4 * def->length_m / (double)n;
     const struct direct_law law = {def->alpha, def->gamma, cutoff_m, 2 * def->length_m, 8};
     struct direct_spectrum spectrum;
-    double *surface_m = calloc(all * all, sizeof *surface_m), square = 0;
+    OWNED(memory_free) double *surface_m = calloc(all * all, sizeof *surface_m);
+    double square = 0;
     enum status_code rc = surface_m ? direct_spectrum_of_law(&spectrum, &law, status) : status_memory(status);
     const struct direct_recipe recipe = {direct_spectrum_variance, &spectrum, NULL, 0};
     if (surface_m && rc == STATUS_OK)
@@ -100,7 +101,6 @@ static enum status_code make_map(double *height_m, const struct synth_def *def, 
         height_m[k] *= def->rq_m / sqrt(square);
     if (surface_m)
         direct_spectrum_free(&spectrum);
-    free(surface_m);
     return rc;
 }
 
@@ -134,7 +134,7 @@ static void put_map(struct text *out, const double *height_m, const struct synth
 static enum status_code write_scan(const struct arguments *arguments, const double *height_m, struct status *status)
 {
     const struct synth_def *def = &arguments->def;
-    struct text csv = {0};
+    OWNED(text_free) struct text csv = {0};
     double spacing_um = def->length_m / (double)def->points * 1e6;
     if (arguments->map)
         put_map(&csv, height_m, def);
@@ -149,7 +149,6 @@ static enum status_code write_scan(const struct arguments *arguments, const doub
         rc = command_write(arguments->output, &csv, false, status);
     else
         fwrite(csv.data, 1, csv.length, stdout);
-    text_free(&csv);
     return rc;
 }
 
@@ -168,12 +167,11 @@ int command_synth(int argc, char **argv)
     arguments.def.scaled = true; /* unless --alpha is given */
     command_parse(&command_synth_argp, argc, argv, &arguments);
     const struct synth_def *def = &arguments.def;
-    double *height_m = calloc(def->points * (arguments.map ? def->points : 1) + 1, sizeof *height_m);
+    OWNED(memory_free) double *height_m = calloc(def->points * (arguments.map ? def->points : 1) + 1, sizeof *height_m);
     enum status_code rc = !height_m       ? status_memory(&status)
                           : arguments.map ? make_map(height_m, def, &status)
                                           : synth_profile(height_m, def, &status);
     if (rc == STATUS_OK)
         rc = write_scan(&arguments, height_m, &status);
-    free(height_m);
     return command_finish(rc == STATUS_OK ? COMMAND_DONE : command_fail(&status), NULL);
 }

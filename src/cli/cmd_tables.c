@@ -29,7 +29,7 @@ const struct argp command_materials_argp = {
 /** Prints the rows as JSON, or as text: a name and below it texts and numbers. Returns the exit status. */
 static int print(json_t *rows, bool as_json)
 {
-    struct text text = {0};
+    OWNED(text_free) struct text text = {0};
     const char *key;
     json_t *row, *value;
     size_t i;
@@ -57,7 +57,6 @@ static int print(json_t *rows, bool as_json)
         }
     }
     fputs(text_string(&text), stdout);
-    text_free(&text);
     json_decref(rows);
     return command_finish(COMMAND_DONE, NULL);
 }

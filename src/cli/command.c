@@ -18,11 +18,10 @@
 
 void command_complain(const char *what, const char *message)
 {
-    struct text line = {0};
+    OWNED(text_free) struct text line = {0};
     text_add_shown(&line, message);
     fflush(stdout); /* else it stands in the middle of a line where both go to one file */
     fprintf(stderr, "roughcontact: %s%s\n", what, line.failed ? "out of memory" : text_string(&line));
-    text_free(&line);
 }
 
 int command_fail(const struct status *status)
@@ -53,14 +52,14 @@ enum status_code command_write(const char *path, const struct text *content, boo
 {
     struct temporary hidden;
     struct stat info;
-    char *real = realpath(path, NULL), whole[PATH_MAX + 16];
+    OWNED(memory_free) char *real = realpath(path, NULL);
+    char whole[PATH_MAX + 16];
     const char *target = real ? real : path, *slash = strrchr(target, '/');
     bool there = stat(path, &info) == 0;
     if (there && !S_ISREG(info.st_mode)) { /* a pipe, a device */
-        free(real);
         return text_write_file(path, content->data, content->length, status);
     }
-    char *parent = slash ? strndup(target, (size_t)(slash - target) + 1) : strdup(".");
+    OWNED(memory_free) char *parent = slash ? strndup(target, (size_t)(slash - target) + 1) : strdup(".");
     bool made = parent && temporary_make(&hidden, parent, exchange_clear, status) == STATUS_OK;
     snprintf(whole, sizeof whole, "%s/report", made ? hidden.path : "");
     if (!made || text_write_file(whole, content->data, content->length, status) != STATUS_OK ||
@@ -71,8 +70,6 @@ enum status_code command_write(const char *path, const struct text *content, boo
     }
     if (made)
         temporary_remove(&hidden);
-    free(parent);
-    free(real);
     return status->code;
 }
 
@@ -139,20 +136,18 @@ int command_finish(int exit_status, const char *written)
     bool lost = status_lost && exit_status != COMMAND_NOTHING;
     if (fflush(stdout) == 0 && !ferror(stdout) && !lost)
         return exit_status;
-    struct text message = {0};
+    OWNED(text_free) struct text message = {0};
     text_add(&message, "cannot write to standard output: %s", lost ? "out of memory" : status_reason(errno));
     if (written)
         text_add(&message, "; the report is written, in '%s'", written);
     command_complain("", text_string(&message));
-    text_free(&message);
     return COMMAND_NOTHING;
 }
 
 void command_json_print(json_t *json)
 {
-    struct text text = {0};
+    OWNED(text_free) struct text text = {0};
     status_lost |= !json_text(&text, json);
     printf("%s\n", text_string(&text)); /* what cannot be written command_finish() sees */
-    text_free(&text);
     json_decref(json);
 }

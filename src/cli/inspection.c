@@ -82,23 +82,18 @@ static enum status_code fit_law(struct inspection *out, struct status *status)
 {
     bool map = out->scan.kind == SCAN_AREAL;
     const struct profile *profile = &out->profile;
-    struct power_law_scans single = {0}, *scans = map ? &out->areal.scans : &single;
-    struct spectrum own = {0};
+    OWNED(power_law_scans_free) struct power_law_scans single = {0};
+    struct power_law_scans *scans = map ? &out->areal.scans : &single;
+    OWNED(spectrum_free) struct spectrum own = {0};
     struct power_law_band band;
-    enum status_code code = STATUS_OK;
-    if (!map)
-        code = power_law_scans_add(&single, profile->height_m, profile->points, profile->spacing_m, profile->digit_m,
-                                   status);
-    if (code == STATUS_OK && !map)
-        code = spectrum_compute(&own, profile->height_m, profile->points, profile->spacing_m,
-                                spectrum_window_for(SPECTRUM_WINDOW_AUTO, profile->periodic), status);
-    if (code == STATUS_OK) {
-        power_law_scans_fit(&band, scans, map ? 0 : out->options.lambda_s_m, NULL);
-        out->power_law = power_law_of_band(&band, map ? &out->areal.spectrum : &own);
-    }
-    spectrum_free(&own);
-    power_law_scans_free(&single);
-    return code;
+    if (!map && (power_law_scans_add(&single, profile->height_m, profile->points, profile->spacing_m, profile->digit_m,
+                                     status) != STATUS_OK ||
+                 spectrum_compute(&own, profile->height_m, profile->points, profile->spacing_m,
+                                  spectrum_window_for(SPECTRUM_WINDOW_AUTO, profile->periodic), status) != STATUS_OK))
+        return status->code;
+    power_law_scans_fit(&band, scans, map ? 0 : out->options.lambda_s_m, NULL);
+    out->power_law = power_law_of_band(&band, map ? &out->areal.spectrum : &own);
+    return STATUS_OK;
 }
 
 static enum status_code look_at_profile(struct inspection *out, struct status *status)

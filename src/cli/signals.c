@@ -33,13 +33,12 @@ bool signals_first_word(void)
 /** One line on stderr, unless nobody reads it there. */
 static void tell(const char *note)
 {
-    struct text shown = {0};
+    OWNED(text_free) struct text shown = {0};
     struct pollfd err = {.fd = STDERR_FILENO, .events = POLLOUT};
     text_add_shown(&shown, note);
     if (signals_first_word() && poll(&err, 1, 0) > 0)
         dprintf(STDERR_FILENO, "%sroughcontact: stopped by a signal%s%s\n", isatty(STDERR_FILENO) ? "\r\033[K" : "",
                 *note ? "; " : "", text_string(&shown));
-    text_free(&shown);
 }
 
 /** Ends the program by the signal that was taken. */

@@ -102,14 +102,14 @@ static void fill_lengths(struct bearing *out, const struct strip_rows *rows, dou
 enum status_code bearing_make(struct bearing *out, const struct strip_rows *rows, struct status *status)
 {
     size_t count = rows->rows * rows->points, nodes = 2 * (size_t)(TURN * log2((double)count + 1)) + 1;
-    double *room = malloc(2 * nodes * sizeof *room), lowest_m = INFINITY;
+    OWNED(memory_free) double *room = malloc(2 * nodes * sizeof *room);
+    double lowest_m = INFINITY;
     *out = (struct bearing){.height_m = malloc((count + 1) * sizeof(double)),
                             .below_m = malloc((count + 1) * sizeof(double)),
                             .ln_length = malloc(nodes * sizeof(double)),
                             .count = count,
                             .nodes = nodes};
     if (!out->height_m || !out->below_m || !out->ln_length || !room) {
-        free(room);
         bearing_free(out);
         return status_memory(status);
     }
@@ -124,7 +124,6 @@ enum status_code bearing_make(struct bearing *out, const struct strip_rows *rows
         out->below_m[i] = out->below_m[i + 1] + out->height_m[i];
     }
     fill_lengths(out, rows, lowest_m, room);
-    free(room);
     return STATUS_OK;
 }
 

@@ -59,8 +59,8 @@ static enum status_code add_stiffness(struct model_curve *curve, const struct mo
 {
     const double step = row->stiffness_step, modulus_Pa = task->pair->effective_modulus_Pa;
     size_t count = task->load_count;
-    struct contact_point *beside = calloc(count + 1, sizeof *beside);
-    double *loads = malloc((count + 1) * sizeof *loads), *lost_m = calloc(count + 1, sizeof *lost_m);
+    OWNED(memory_free) struct contact_point *beside = calloc(count + 1, sizeof *beside);
+    OWNED(memory_free) double *loads = malloc((count + 1) * sizeof *loads), *lost_m = calloc(count + 1, sizeof *lost_m);
     if (!beside || !loads || !lost_m)
         (void)status_memory(status);
     for (int side = -1; side <= 1 && status->code == STATUS_OK; side += 2) {
@@ -82,9 +82,6 @@ static enum status_code add_stiffness(struct model_curve *curve, const struct mo
     for (size_t i = 0; i < curve->count && i < count && status->code == STATUS_OK; i++)
         if (lost_m[i] > 0)
             curve->points[i].value[QUANTITY_STIFFNESS] = modulus_Pa * task->loads[i] * 2 * sinh(step) / lost_m[i];
-    free(beside);
-    free(loads);
-    free(lost_m);
     return status->code;
 }
 

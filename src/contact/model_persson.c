@@ -89,7 +89,7 @@ static enum status_code solve(struct corrected_persson_point *contact, size_t *c
                               const struct model_task *task, struct status *status)
 {
     struct prepared_strip own = {.strip = NULL};
-    struct persson made = {0};
+    OWNED(persson_free) struct persson made = {0};
     const struct prepared_strip *strip = row->uses_strip ? prepare(&own, task, status) : NULL;
     const struct persson *persson = strip ? &strip->nodes.persson : &made;
     *count = 0;
@@ -100,7 +100,6 @@ static enum status_code solve(struct corrected_persson_point *contact, size_t *c
     if (row->plastic)
         harden(contact, count, persson, row, task);
     strip_nodes_free(&own.nodes);
-    persson_free(&made);
     return status->code;
 }
 
@@ -145,7 +144,7 @@ static enum status_code run(struct model_curve *curve, const struct model_row *r
     if (row->plastic && !(task->hardness_Pa > 0))
         return STATUS_OK;
     size_t count, room = task->load_count + 1;
-    struct corrected_persson_point *contact = malloc(2 * room * sizeof *contact);
+    OWNED(memory_free) struct corrected_persson_point *contact = malloc(2 * room * sizeof *contact);
     if (!contact)
         return status_memory(status);
     enum status_code rc = solve(contact, &count, row, task, status);
@@ -161,7 +160,6 @@ static enum status_code run(struct model_curve *curve, const struct model_row *r
     curve->count = count;
     curve->exists = count > 0; /* complete contact is beyond */
     curve->evaluations = task->load_count;
-    free(contact);
     return rc;
 }
 

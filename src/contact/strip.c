@@ -408,7 +408,7 @@ enum status_code strip_nodes_make(struct strip_nodes *out, const struct strip *s
                                 .steps = steps,
                                 .ln_load = malloc((steps + 1) * sizeof *out->ln_load),
                                 .value = malloc((steps + 1) * sizeof *out->value)};
-    struct corrected_persson_point *point = malloc((steps + 1) * sizeof *point);
+    OWNED(memory_free) struct corrected_persson_point *point = malloc((steps + 1) * sizeof *point);
     double(*ratio)[3] = smooth_ratios(range, steps, strip);
     if (out->ln_load && out->value && point && ratio) {
         for (size_t k = 0; k <= steps; k++)
@@ -419,7 +419,6 @@ enum status_code strip_nodes_make(struct strip_nodes *out, const struct strip *s
         strip_nodes_free(out);
         (void)status_memory(status);
     }
-    free(point);
     free(ratio);
     return status->code;
 }

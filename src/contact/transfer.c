@@ -262,7 +262,8 @@ enum status_code transfer_make(struct transfer *out, const struct transfer_squar
                                struct status *status)
 {
     const size_t count = squares->count;
-    struct strip *strip = calloc(count + 1, sizeof *strip), *joined = strip ? strip + count : NULL;
+    OWNED(memory_free) struct strip *strip = calloc(count + 1, sizeof *strip);
+    struct strip *joined = strip ? strip + count : NULL;
     struct persson own = {0}, whole = {0};
     double bearing[TRANSFER_BEARING] = {0};
     struct transfer_curve capped = {.count = squares->loads[1]};
@@ -290,7 +291,6 @@ enum status_code transfer_make(struct transfer *out, const struct transfer_squar
     if (rc == STATUS_OK)
         make_capped(&out->curve[1], &(struct yielding){&out->curve[0], bearing, hardness}, &capped);
     persson_free(&whole);
-    free(strip);
     return rc;
 }
 

@@ -95,7 +95,7 @@ enum status_code direct_constriction_of_contact(double *length_m, struct direct_
     size_t before = kernel->transforms;
     *length_m = 0;
     direct_contact_select(contact, false);
-    double *current = calloc(contact->set_count + 1, sizeof *current);
+    OWNED(memory_free) double *current = calloc(contact->set_count + 1, sizeof *current);
     if (!current)
         return status_memory(status);
     assert(contact->set_count > 0 && tolerance > 0);
@@ -103,7 +103,6 @@ enum status_code direct_constriction_of_contact(double *length_m, struct direct_
         (void)iterate(length_m, contact, current, tolerance, stop, status);
     for (size_t k = 0; contact->response && *length_m > 0 && k < contact->set_count; k++)
         contact->response[contact->set[k]] = current[k];
-    free(current);
     contact->convolutions += (kernel->transforms - before) / 2;
     return status->code;
 }

@@ -68,7 +68,7 @@ static enum status_code make_coarse(struct direct_contact *out, const double *he
     struct status problem = {0};
     if (nx < COARSEST || ny < COARSEST || kernel->nx % 2 || kernel->ny % 2)
         return STATUS_OK;
-    double *coarse_m = malloc(nx * ny * sizeof *coarse_m);
+    OWNED(memory_free) double *coarse_m = malloc(nx * ny * sizeof *coarse_m);
     out->coarse = calloc(1, sizeof *out->coarse);
     if (!out->coarse || !coarse_m)
         (void)status_memory(status);
@@ -84,7 +84,6 @@ static enum status_code make_coarse(struct direct_contact *out, const double *he
         if (problem.code != STATUS_MODEL)
             *status = problem;
     }
-    free(coarse_m);
     return status->code;
 }
 

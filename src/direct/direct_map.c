@@ -32,7 +32,7 @@ static enum status_code look_along(struct lines *out, const double *height_m, st
                                    struct status *status)
 {
     const size_t points = lines.points;
-    double *line = malloc(points * sizeof *line);
+    OWNED(memory_free) double *line = malloc(points * sizeof *line);
     if (!line)
         return status_memory(status);
     for (size_t k = 0; k < lines.count && points >= LEAST_LINE && status->code == STATUS_OK; k++) {
@@ -65,7 +65,6 @@ static enum status_code look_along(struct lines *out, const double *height_m, st
         out->inside += bends[1];
         spectrum_free(&spectrum);
     }
-    free(line);
     return status->code;
 }
 
@@ -100,7 +99,8 @@ static enum status_code low_pass(double *smooth, const double *height, const str
                              def->cutoff * (def->dy_m > 0 ? def->dx_m / def->dy_m : 1)}; /* along, across */
     const size_t nx = def->nx, ny = def->ny, most = (size_t)ceil(1.5 * fmax(cutoff[0], cutoff[1])), count = nx * ny;
     const size_t places = (nx > ny ? nx : ny) + 2 * most;
-    double *there = malloc((count + places + most + 1) * sizeof *there), offset = NAN;
+    OWNED(memory_free) double *there = malloc((count + places + most + 1) * sizeof *there);
+    double offset = NAN;
     if (!there)
         return status_memory(status);
     double *fields[] = {smooth, there}, *room = there + count, *weight = room + places;
@@ -123,7 +123,6 @@ static enum status_code low_pass(double *smooth, const double *height, const str
     }
     for (size_t k = 0; k < count; k++)
         smooth[k] = smooth[k] / there[k] + offset;
-    free(there);
     return STATUS_OK;
 }
 
@@ -144,7 +143,7 @@ enum status_code direct_map_condition(double *height_m, struct direct_map_def *d
         return STATUS_OK;
     const struct scan scan = {.nx = nx, .ny = ny, .z_m = height_m};
     struct status none = {0};
-    double *flat = malloc(2 * nx * ny * sizeof *flat);
+    OWNED(memory_free) double *flat = malloc(2 * nx * ny * sizeof *flat);
     if (!flat)
         return status_memory(status);
     double *smooth = flat + nx * ny;
@@ -153,7 +152,6 @@ enum status_code direct_map_condition(double *height_m, struct direct_map_def *d
     if (low_pass(smooth, flat, def, status) == STATUS_OK)
         for (size_t k = 0; k < nx * ny; k++)
             height_m[k] = isnan(height_m[k]) ? NAN : height_m[k] - flat[k] + smooth[k];
-    free(flat);
     return status->code;
 }
 
@@ -199,7 +197,7 @@ static void take_plane(double *height, size_t n, bool mean_only)
 static enum status_code fill(double *height, const bool *missing, size_t n, double cutoff, struct status *status)
 {
     const struct direct_map_def square = {.nx = n, .ny = n, .cutoff = cutoff};
-    double *smooth = malloc(n * n * sizeof *smooth);
+    OWNED(memory_free) double *smooth = malloc(n * n * sizeof *smooth);
     if (!smooth)
         return status_memory(status);
     for (size_t k = 0; k < n * n; k++)
@@ -208,7 +206,6 @@ static enum status_code fill(double *height, const bool *missing, size_t n, doub
     if (cutoff > 0 && low_pass(smooth, height, &square, status) == STATUS_OK)
         for (size_t k = 0; k < n * n; k++)
             height[k] = missing[k] ? smooth[k] : height[k];
-    free(smooth);
     return status->code;
 }
 
@@ -217,7 +214,7 @@ static enum status_code take_square(struct direct_map *map, const double *from, 
 {
     const size_t n = map->grid.nx;
     double *height = map->height_m;
-    bool *missing = malloc(n * n * sizeof *missing);
+    OWNED(memory_free) bool *missing = malloc(n * n * sizeof *missing);
     size_t holes = 0;
     if (!missing)
         return status_memory(status);
@@ -231,7 +228,6 @@ static enum status_code take_square(struct direct_map *map, const double *from, 
                           "%zu of the map's %zu points are missing; fill them or take another part", holes, n * n);
     else if (holes == 0 || fill(height, missing, n, map->cutoff, status) == STATUS_OK)
         take_plane(height, n, !map->grid.mirrored);
-    free(missing);
     return status->code;
 }
 

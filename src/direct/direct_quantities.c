@@ -72,7 +72,7 @@ enum status_code direct_patches(size_t *count, struct direct_contact *contact, s
     const struct direct_kernel *kernel = &contact->kernel;
     const uint8_t *touching = direct_contact_touching(contact);
     const size_t times = kernel->mirrored ? 2 : 1, nx = times * kernel->nx, ny = times * kernel->ny, points = nx * ny;
-    uint32_t *parent = malloc((points + 1) * sizeof *parent);
+    OWNED(memory_free) uint32_t *parent = malloc((points + 1) * sizeof *parent);
     *count = 0;
     if (!parent)
         return status_memory(status);
@@ -86,7 +86,6 @@ enum status_code direct_patches(size_t *count, struct direct_contact *contact, s
             *count -= own && touching[place(kernel, right, j)] && join(parent, k, j * nx + right);
             *count -= own && touching[place(kernel, i, above)] && join(parent, k, above * nx + i);
         }
-    free(parent);
     return STATUS_OK;
 }
 

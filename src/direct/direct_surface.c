@@ -291,7 +291,8 @@ static enum status_code quantiles(double *out, size_t count, const struct direct
 {
     const double *given_m = recipe->given_m;
     const size_t given_count = recipe->given_count;
-    double *sorted = malloc((given_count + 1) * sizeof *sorted), mean = 0, square = 0;
+    OWNED(memory_free) double *sorted = malloc((given_count + 1) * sizeof *sorted);
+    double mean = 0, square = 0;
     if (!sorted)
         return status_memory(status);
     bool finite = given_count >= 2;
@@ -300,10 +301,8 @@ static enum status_code quantiles(double *out, size_t count, const struct direct
         finite &= isfinite(given_m[k]) != 0;
     }
     gsl_sort(sorted, 1, given_count);
-    if (!finite || !(sorted[given_count - 1] > sorted[0])) {
-        free(sorted);
+    if (!finite || !(sorted[given_count - 1] > sorted[0]))
         return status_fail(status, STATUS_MODEL, "the heights to give a surface are too few, all equal or not finite");
-    }
     for (size_t k = 0; k < count; k++) {
         double at = ((double)k + 0.5) / (double)count * (double)given_count - 0.5;
         at = fmin(fmax(at, 0), (double)(given_count - 1));
@@ -318,7 +317,6 @@ static enum status_code quantiles(double *out, size_t count, const struct direct
     }
     for (size_t k = 0; k < count; k++)
         out[k] *= sqrt(mean_square / square);
-    free(sorted);
     return STATUS_OK;
 }
 
@@ -404,7 +402,7 @@ static enum status_code give_heights(double *height_m, struct modes *modes, cons
 {
     size_t n = modes->n;
     double mean_square = 0, *heights = malloc(n * n * sizeof *heights);
-    uint64_t *order = malloc(2 * n * n * sizeof *order);
+    OWNED(memory_free) uint64_t *order = malloc(2 * n * n * sizeof *order);
     for (size_t j = 0; j < n; j++)
         for (size_t i = 0; i < n / 2; i++)
             mean_square += (i > 0 ? 2 : 1) * pow(amplitude_at(modes, i, j), 2);
@@ -413,7 +411,6 @@ static enum status_code give_heights(double *height_m, struct modes *modes, cons
     else if (quantiles(heights, n * n, recipe, mean_square, status) == STATUS_OK)
         adjust(modes, heights, height_m, order, seed);
     free(heights);
-    free(order);
     return status->code;
 }
 

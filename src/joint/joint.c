@@ -400,7 +400,7 @@ void joint_bounds(double out[QUANTITY_COUNT][2], const struct contact_point *poi
 enum status_code joint_curve(struct model_curve *curve, const struct model_row *row, const struct model_task *task,
                              const struct joint_task *joint, struct status *status)
 {
-    struct contact_spots *spots = NULL;
+    OWNED(memory_free) struct contact_spots *spots = NULL;
     enum status_code rc = STATUS_OK;
     if (!curve->exists)
         return STATUS_OK;
@@ -418,6 +418,5 @@ enum status_code joint_curve(struct model_curve *curve, const struct model_row *
     }
     if (rc == STATUS_OK)
         joint_apply(curve->points, spots, curve->count, joint, row);
-    free(spots);
     return rc;
 }

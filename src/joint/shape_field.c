@@ -70,7 +70,7 @@ enum status_code shape_field_grid(struct shape_field *out, const struct shape_gr
     *out = (struct shape_field){.nx = cells_of((double)count[0]), .ny = cells_of((double)count[1])};
     if (count[0] < 2 || count[1] < 2)
         return status_fail(status, STATUS_MODEL, "a field of %zu x %zu points is no grid", count[0], count[1]);
-    double *rows = calloc(out->nx * count[1], sizeof *rows);
+    OWNED(memory_free) double *rows = calloc(out->nx * count[1], sizeof *rows);
     out->value = calloc(out->nx * out->ny, sizeof *out->value);
     for (size_t j = 0; rows && j < count[1]; j++)
         take_means(rows + j * out->nx, 1, out->nx, side_m[0],
@@ -78,9 +78,7 @@ enum status_code shape_field_grid(struct shape_field *out, const struct shape_gr
     for (size_t i = 0; rows && out->value && i < out->nx; i++)
         take_means(out->value + i, out->nx, out->ny, side_m[1],
                    &(struct line){grid->at_m[1], rows + i, count[1], out->nx, grid->cells[1]});
-    enum status_code rc = rows && out->value ? take_mean(out) : status_memory(status);
-    free(rows);
-    return rc;
+    return rows && out->value ? take_mean(out) : status_memory(status);
 }
 
 double shape_bolt_pressure(const struct shape_bolts *bolts, double r_m)
@@ -115,13 +113,12 @@ enum status_code shape_field_bolts(struct shape_field *out, const struct shape_b
 {
     double cell_m = (bolts->reach_m - bolts->hole_m) / cells_across;
     *out = (struct shape_field){.nx = cells_of(side_m[0] / cell_m), .ny = cells_of(side_m[1] / cell_m)};
-    double *room = calloc(out->nx * out->ny, sizeof *room);
+    OWNED(memory_free) double *room = calloc(out->nx * out->ny, sizeof *room);
     out->value = calloc(out->nx * out->ny, sizeof *out->value);
     enum status_code rc = room && out->value ? STATUS_OK : status_memory(status);
     for (size_t bolt = 0; rc == STATUS_OK && bolt < bolts->count; bolt++)
         if (!add_bolt(out, bolts, bolt, side_m, room))
             rc = status_fail(status, STATUS_MODEL, "bolt %zu presses on less than a cell of the area", bolt + 1);
-    free(room);
     return rc == STATUS_OK ? take_mean(out) : rc;
 }
 

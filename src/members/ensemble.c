@@ -152,7 +152,7 @@ enum status_code ensemble_prepare(struct ensemble *set, const struct model_task 
 enum status_code ensemble_estimate(struct estimate *out, const struct ensemble *set, const struct ensemble_value *of,
                                    size_t count, bool logarithmic, struct status *status)
 {
-    double *mean = malloc(2 * (count + 1) * sizeof *mean);
+    OWNED(memory_free) double *mean = malloc(2 * (count + 1) * sizeof *mean);
     size_t scans = 0;
     if (!mean)
         return status_memory(status);
@@ -165,9 +165,7 @@ enum status_code ensemble_estimate(struct estimate *out, const struct ensemble *
         mean[scans] = end == i + 1 ? of[i].value : logarithmic ? exp(own) : own;
         weight[scans] = set->scan_weight[of[i].scan];
     }
-    enum status_code rc = estimate_make(out, mean, weight, scans, logarithmic, status);
-    free(mean);
-    return rc;
+    return estimate_make(out, mean, weight, scans, logarithmic, status);
 }
 
 void ensemble_curves_free(struct ensemble_curves *curves)

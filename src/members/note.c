@@ -67,7 +67,7 @@ void note_add_counterface(struct note_list *list, const struct note *note)
 void note_line(struct text *out, struct words *words, const struct note *note)
 {
     const struct note *of = note->counterface ? note->counterface : note;
-    struct text line = {0};
+    OWNED(text_free) struct text line = {0};
     text_add(&line, "note.line\n%s\n%s %zu\nwhat\t%s%s", of == note ? "" : "counterface",
              of->more > 1   ? "several"
              : of->more > 0 ? "one"
@@ -75,5 +75,4 @@ void note_line(struct text *out, struct words *words, const struct note *note)
              of->more, of->subject ? of->subject : "", of->subject ? ": " : "");
     (void)words_add(&line, words, note->what, NULL);
     (void)words_add(out, words, text_string(&line), NULL);
-    text_free(&line);
 }

@@ -95,7 +95,7 @@ enum status_code repeats_compare(struct repeats *out, struct ensemble *set, cons
     out->count = set->count;
     out->scans = set->scan_count;
     out->gamma = out->psd_m3 = estimate_none;
-    struct ensemble_value *rq_m = malloc(set->count * sizeof *rq_m);
+    OWNED(memory_free) struct ensemble_value *rq_m = malloc(set->count * sizeof *rq_m);
     enum status_code rc = rq_m ? STATUS_OK : status_memory(status);
     for (size_t p = 0; p < set->count && rc == STATUS_OK; p++) {
         struct spectrum *own = &set->members[p].spectrum, same;
@@ -108,8 +108,5 @@ enum status_code repeats_compare(struct repeats *out, struct ensemble *set, cons
             *own = same;
         }
     }
-    if (rc == STATUS_OK)
-        rc = ensemble_estimate(&out->rq_m, set, rq_m, set->count, true, status);
-    free(rq_m);
-    return rc;
+    return rc == STATUS_OK ? ensemble_estimate(&out->rq_m, set, rq_m, set->count, true, status) : rc;
 }

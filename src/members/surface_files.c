@@ -15,11 +15,10 @@ static void note_refused_scan(struct surface_summary *summary, const char *other
 
 static enum status_code hash_file(struct hash *hash, const char *path, struct status *status)
 {
-    struct text bytes = {0};
+    OWNED(text_free) struct text bytes = {0};
     enum status_code rc = text_read_file(&bytes, path, status);
     if (rc == STATUS_OK)
         hash_add(hash, bytes.data, bytes.length);
-    text_free(&bytes);
     return rc;
 }
 
@@ -35,7 +34,7 @@ static enum status_code add_scan(const struct surface_scans *task, const struct 
                                  struct scan_options *options, struct hash *hash, struct status *status)
 {
     struct surface_summary *summary = &task->record->summary;
-    struct scan scan = {0};
+    OWNED(scan_free) struct scan scan = {0};
     double started = clock_seconds();
     summary->all_scans++;
     enum status_code rc = scan_read_beside(&scan, bytes, path, options, status);
@@ -63,7 +62,6 @@ static enum status_code add_scan(const struct surface_scans *task, const struct 
         keep_common(summary->units, sizeof summary->units, units, "several units");
     }
     options->entry = scan.next_entry;
-    scan_free(&scan);
     return rc;
 }
 
@@ -101,8 +99,8 @@ static enum status_code add_scans(const struct surface_scans *task, struct text 
 static enum status_code read_one(const struct surface_scans *task, const char *file, struct hash *hash,
                                  struct status *status)
 {
-    struct text bytes = {0};
-    char *path = scene_file_path(task->scene, file);
+    OWNED(text_free) struct text bytes = {0};
+    OWNED(memory_free) char *path = scene_file_path(task->scene, file);
     if (!path)
         return status_memory(status);
     double started = clock_seconds();
@@ -113,8 +111,6 @@ static enum status_code read_one(const struct surface_scans *task, const char *f
         hash_add(hash, bytes.data, bytes.length); /* also of a file that is refused */
         rc = add_scans(task, &bytes, file, path, hash, status);
     }
-    text_free(&bytes);
-    free(path);
     return rc;
 }
 
@@ -138,11 +134,11 @@ static struct content *files_by_content(const struct surface_scans *task, const 
     for (size_t f = 0; out && f < surface->files.count; f++) {
         struct status unread = {0};
         struct hash hash = hash_start();
+        OWNED(memory_free)
         char *path = surface->files.count > 1 ? scene_file_path(task->scene, surface->files.path[f]) : NULL;
         out[f].file = surface->files.path[f];
         if (path && hash_file(&hash, path, &unread) == STATUS_OK)
             hash_finish(&hash, out[f].digits);
-        free(path);
     }
     if (out)
         qsort(out, surface->files.count, sizeof *out, by_content);
@@ -164,7 +160,7 @@ enum status_code surface_files_read(const struct surface_scans *task, struct has
 {
     const struct scene_surface *surface = task->record->summary.scene;
     size_t count = surface->files.count, used = 0;
-    struct content *file = files_by_content(task, surface);
+    OWNED(memory_free) struct content *file = files_by_content(task, surface);
     char **refusal = calloc(count + 1, sizeof *refusal);
     enum status_code rc = file && refusal ? STATUS_OK : status_memory(status);
     for (size_t f = 0; f < count && rc == STATUS_OK; f++) {
@@ -183,6 +179,5 @@ enum status_code surface_files_read(const struct surface_scans *task, struct has
     for (size_t f = 0; refusal && f < count; f++)
         free(refusal[f]);
     free(refusal);
-    free(file);
     return rc;
 }

@@ -97,7 +97,7 @@ static void note_description(struct surface_summary *summary, const struct scene
 {
     struct note_list *notes = &summary->notes;
     const struct power_law *law = &summary->power_law;
-    struct text lines = {0}, models = {0};
+    OWNED(text_free) struct text lines = {0}, models = {0};
     for (size_t i = 0; i < line_count; i++)
         text_add(&lines, "\n%s %.2g", i > 0 ? "others" : "first", line_m[i] * 1e6);
     for (size_t m = 0; m < model_count && !summary->has_asperities; m++)
@@ -120,8 +120,6 @@ static void note_description(struct surface_summary *summary, const struct scene
         note_add(notes, NULL, "note.no_models%s\nwhy\t%s", text_string(&models), why_none);
     if (surface_diverges(summary))
         note_add(notes, NULL, "note.diverges\ngamma %.2f", surface_short_gamma(law));
-    text_free(&lines);
-    text_free(&models);
 }
 
 /** The cut-off of the low-pass that the scans had. */
@@ -138,7 +136,7 @@ static enum status_code fit_alone(struct surface_record *record, const struct po
     size_t count = scans->scan_count;
     if (repeats->scans < 2)
         return STATUS_OK;
-    struct ensemble_value *gamma = malloc(2 * count * sizeof *gamma);
+    OWNED(memory_free) struct ensemble_value *gamma = malloc(2 * count * sizeof *gamma);
     if (!gamma)
         return status_memory(status);
     struct ensemble_value *psd_m3 = gamma + count;
@@ -154,7 +152,6 @@ static enum status_code fit_alone(struct surface_record *record, const struct po
         rc = ensemble_estimate(&repeats->psd_m3, &record->ensemble, psd_m3, count, true, status);
     repeats->gamma.model_sd = record->band->fit.gamma_bias_s;
     repeats->psd_m3.model_sd = 2 * M_LN10 * record->band->fit.log10_amplitude_bias_s;
-    free(gamma);
     return rc;
 }
 
@@ -248,7 +245,7 @@ static enum status_code take_along(const struct surface_scans *task, struct hash
     const struct scene_surface *surface = record->summary.scene;
     struct scene_surface others = *surface;
     struct surface_record along = {.ensemble = {.keeps_heights = record->ensemble.keeps_heights}};
-    struct power_law_scans scans = {0};
+    OWNED(power_law_scans_free) struct power_law_scans scans = {0};
     struct status problem = {0};
     const struct surface_scans other = {&along, &scans, task->scene, task->copies};
     tell(&along.summary, &record->summary);
@@ -263,7 +260,6 @@ static enum status_code take_along(const struct surface_scans *task, struct hash
         rc = place_along(task, &other, &problem);
     along.summary.notes = (struct note_list){0};
     surface_record_free(&along);
-    power_law_scans_free(&scans);
     return rc == STATUS_OK ? STATUS_OK : status_fail(status, rc, "along: %s", problem.message);
 }
 
@@ -412,7 +408,7 @@ enum status_code surface_read(struct surface_record *out, const struct scene *sc
     struct status problem = {0};
     struct hash hash = hash_start();
     struct power_law_scans scans = {0};
-    struct copies copies = {0};
+    OWNED(copies_free) struct copies copies = {0};
     const struct surface_scans task = {out, &scans, scene, &copies};
     out->counterface = counterface;
     summary->scene = surface;
@@ -427,7 +423,6 @@ enum status_code surface_read(struct surface_record *out, const struct scene *sc
     if (rc == STATUS_OK)
         rc = conclude(out, &scans, scene, counterface, &problem);
     power_law_scans_free(&scans);
-    copies_free(&copies);
     if (rc == STATUS_MEMORY && status_memory(status))
         return surface_put_aside(out, scene, status);
     if (rc == STATUS_OK && surface != &scene->counterface_surface)

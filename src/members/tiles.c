@@ -120,7 +120,7 @@ enum status_code tiles_spectrum_along(struct spectrum *out, const struct scan *m
                                       bool mirrored, struct status *status)
 {
     const size_t points = lines.points;
-    double *line_m = malloc(2 * points * sizeof *line_m);
+    OWNED(memory_free) double *line_m = malloc(2 * points * sizeof *line_m);
     size_t taken = 0;
     enum status_code rc = line_m ? STATUS_OK : status_memory(status);
     for (size_t k = 0; k < lines.count && rc == STATUS_OK; k++) {
@@ -132,18 +132,16 @@ enum status_code tiles_spectrum_along(struct spectrum *out, const struct scan *m
             line_m[2 * points - 1 - i] = mirrored ? line_m[i] : line_m[2 * points - 1 - i];
         rc = spectrum_add_record(out, taken++, line_m, (mirrored ? 2 : 1) * points, map->dx_m, status);
     }
-    free(line_m);
     return rc;
 }
 
 /** From rows and columns alike: the spectrum of an isotropic surface with the same mean-square gradient. */
 static enum status_code spectrum_of(struct spectrum *out, const struct scan *map, bool mirrored, struct status *status)
 {
-    struct spectrum across = {0};
+    OWNED(spectrum_free) struct spectrum across = {0};
     if (tiles_spectrum_along(out, map, direct_map_lines(map->nx, map->ny, false), mirrored, status) == STATUS_OK &&
         tiles_spectrum_along(&across, map, direct_map_lines(map->nx, map->ny, true), mirrored, status) == STATUS_OK)
         (void)!grid_average(out, &across, 1, status);
-    spectrum_free(&across);
     return status->code;
 }
 
@@ -155,14 +153,12 @@ static enum status_code spectrum_of_all(struct spectrum *out, const struct tiles
     struct scan scan = {.nx = def->nx, .ny = def->ny, .dx_m = def->dx_m, .z_m = tiles->height_m};
     if (tiles->side == def->nx && tiles->side == def->ny)
         return spectrum_copy(out, &square->spectrum, status);
-    double *flat_m = malloc(def->nx * def->ny * sizeof *flat_m);
+    OWNED(memory_free) double *flat_m = malloc(def->nx * def->ny * sizeof *flat_m);
     if (!flat_m)
         return status_memory(status);
     enum status_code rc = areal_flatten(flat_m, &scan, status);
     scan.z_m = flat_m;
-    rc = rc == STATUS_OK ? spectrum_of(out, &scan, !def->periodic, status) : rc;
-    free(flat_m);
-    return rc;
+    return rc == STATUS_OK ? spectrum_of(out, &scan, !def->periodic, status) : rc;
 }
 
 /** What one map is solved for. */
@@ -320,12 +316,11 @@ static size_t first_of(const struct tiles *tiles, size_t s)
 static enum status_code take_bearing(double out[TRANSFER_BEARING], const struct direct_map *map, struct status *status)
 {
     size_t count = map->grid.nx * map->grid.ny;
-    double *height_m = malloc(count * sizeof *height_m);
+    OWNED(memory_free) double *height_m = malloc(count * sizeof *height_m);
     if (!height_m)
         return status_memory(status);
     memcpy(height_m, map->height_m, count * sizeof *height_m);
     transfer_bearing(out, height_m, count);
-    free(height_m);
     return STATUS_OK;
 }
 

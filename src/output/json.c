@@ -132,7 +132,8 @@ static json_t *model_json(const struct results *results, size_t surface, size_t 
     const struct surface_record *record = &results->surfaces[surface];
     const struct curve_summary *model = surface_model(&record->summary, m);
     const struct contact_point at = comparison_middle(results, m, surface);
-    json_t *json = json_object(), *operating = json_object(), *known = json_object();
+    json_t *json = json_object(), *operating = json_object();
+    json_auto_t *known = json_object();
     json_set(json, "full_contact_load_over_AnEp", model->full_load);
     json_set(json, "beta", model->beta);
     json_set(json, "beta_from_multiscale", model->beta_multiscale);
@@ -158,7 +159,6 @@ static json_t *model_json(const struct results *results, size_t surface, size_t 
     }
     if (json_object_size(known) > 0)
         json_object_set(json, "at_middle_load", known);
-    json_decref(known);
     return json;
 }
 
@@ -166,10 +166,9 @@ static json_t *notes_json(const struct note_list *list, struct words *words)
 {
     json_t *array = json_array();
     for (size_t n = 0; n < list->count; n++) {
-        struct text line = {0};
+        OWNED(text_free) struct text line = {0};
         note_line(&line, words, &list->notes[n]);
         json_array_append_new(array, json_shown(text_string(&line)));
-        text_free(&line);
     }
     return array;
 }
@@ -398,10 +397,9 @@ json_t *json_outline(const struct results *results)
 /** Prints one value behind `before`; takes it over. Who closes the file sees what failed. */
 static void print(FILE *file, const char *before, json_t *json)
 {
-    struct text text = {0};
+    OWNED(text_free) struct text text = {0};
     status_lost |= !json_text(&text, json);
     fprintf(file, "%s%s", before, text_string(&text));
-    text_free(&text);
     json_decref(json);
 }
 
@@ -421,16 +419,14 @@ static enum status_code print_surface(void *context, size_t index, struct thread
         return STATUS_OK;
     if (given)
         own = (struct words){given->file, json_array(), status};
-    json_t *surface = surface_json(all->results, index, given ? &own : NULL);
-    struct text text = {0};
+    json_auto_t *surface = surface_json(all->results, index, given ? &own : NULL);
+    OWNED(text_free) struct text text = {0};
     status_lost |= !json_text(&text, surface);
     if (status->code == STATUS_OK && threads_wait(turn)) {
         fprintf(all->file, "%s%s", all->before, text_string(&text));
         all->before = ",\n";
     }
-    json_decref(surface);
     json_decref(own.said);
-    text_free(&text);
     return status->code;
 }
 
@@ -458,10 +454,9 @@ enum status_code json_write(const struct results *results, const struct comparis
                             const char *directory, struct status *status)
 {
     const struct scene *scene = results->scene;
-    struct text path = {0};
+    OWNED(text_free) struct text path = {0};
     text_add(&path, "%s/results.json", directory);
     FILE *file = fopen(text_string(&path), "w");
-    text_free(&path);
     if (!file)
         return status_fail(status, STATUS_IO, "cannot write results.json: %s", strerror(errno));
     struct printing all = {file, results, "\n"};

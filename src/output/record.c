@@ -60,12 +60,11 @@ static bool put(struct text *out, const json_t *json, int depth)
         text_add_bytes(out, "{", 1);
         json_object_foreach((json_t *)json, key, part)
         {
-            json_t *name = json_string(key);
+            json_auto_t *name = json_string(key);
             begin_line(out, count++ > 0 ? "," : "", depth + 1);
             ok = put(out, name, 0) && ok;
             text_add_bytes(out, ": ", 2);
             ok = put(out, part, depth + 1) && ok;
-            json_decref(name);
         }
         begin_line(out, "", depth);
         text_add_bytes(out, "}", 1);
@@ -82,22 +81,19 @@ bool json_text(struct text *out, const json_t *json)
 
 json_t *json_shown(const char *hostile)
 {
-    struct text shown = {0};
+    OWNED(text_free) struct text shown = {0};
     text_add_shown(&shown, hostile ? hostile : "");
-    json_t *json = hostile ? json_string(text_string(&shown)) : json_null();
-    text_free(&shown);
-    return json;
+    return hostile ? json_string(text_string(&shown)) : json_null();
 }
 
 json_t *json_lines(const char *lines)
 {
     json_t *array = json_array();
     for (size_t length; *lines; lines += length + (lines[length] == '\n')) {
-        struct text line = {0};
+        OWNED(text_free) struct text line = {0};
         length = strcspn(lines, "\n");
         text_add_bytes(&line, lines, length);
         json_array_append_new(array, json_shown(text_string(&line)));
-        text_free(&line);
     }
     return array;
 }

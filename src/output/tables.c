@@ -86,10 +86,9 @@ static struct table table_part(struct table *whole, struct threads_turn *turn)
 /** Opens the file and writes the columns' names. */
 static void open_table(struct table *table, const struct text *header)
 {
-    struct text path = {0};
+    OWNED(text_free) struct text path = {0};
     text_add(&path, "%s/data/%s", table->directory, table->name);
     table->file = fopen(text_string(&path), "w");
-    text_free(&path);
     if (table->file)
         fwrite(text_string(header), 1, header->length, table->file);
     else
@@ -207,7 +206,7 @@ static void fill_surface(struct table *table, const struct results *results, siz
 {
     const struct plan *plan = results->plan;
     const struct surface_summary *s = &results->surfaces[index].summary;
-    struct text files = {0};
+    OWNED(text_free) struct text files = {0};
     if (!s->usable)
         return;
     for (size_t f = 0; f < s->scene->files.count; f++)
@@ -220,7 +219,6 @@ static void fill_surface(struct table *table, const struct results *results, siz
         if (plan_runs_model(plan, m) && (model_rows[m]->quantities & QUANTITY_BIT(QUANTITY_ADJUSTED)))
             put(table, "beta_", model_rows[m]->name, surface_model(s, m)->exists ? surface_model(s, m)->beta : NAN);
     end_row(table);
-    text_free(&files);
 }
 
 /** A row a harmonic, or a bin of them, of harmonics `first` to before `end`. */
@@ -477,7 +475,7 @@ static void put_answer(struct table *table, const struct results *results, const
     const struct answer *answer = &s->answers[t * model_count + m];
     bool met = answer->kind == ANSWER_LOAD || answer->kind == ANSWER_LIGHTEST;
     double load = met ? answer->load : NAN, area_m2 = results->scene->nominal_area_m2;
-    struct text asked = {0}, note = {0};
+    OWNED(text_free) struct text asked = {0}, note = {0};
     text_add(&asked, "%s %s", target->how->key, target->text);
     answers_note(&note, answer, area_m2);
     const struct answer_row row = {
@@ -494,8 +492,6 @@ static void put_answer(struct table *table, const struct results *results, const
         .spots_by = isnan(answer->spots_per_m2) ? NULL : model_rows[answer->counted_by]->name,
     };
     put_record(table, answer_fields, &row);
-    text_free(&asked);
-    text_free(&note);
 }
 
 static void fill_answers(struct table *table, const struct results *results, size_t index)
@@ -544,7 +540,7 @@ static void fill_limits(struct table *table, const struct results *results, size
     for (size_t l = 0; l < results->scene->limit_count && s->usable; l++) {
         const struct scene_asked *limit = &results->scene->limits[l];
         const struct limit_check *check = &s->limits[l];
-        struct text asked = {0};
+        OWNED(text_free) struct text asked = {0};
         text_add(&asked, "%s %s %s", limit->how->key, limit->is_most ? "most" : "least", limit->text);
         const struct limit_row row = {.surface = s->scene->name,
                                       .model = model_rows[plan_leading_model(results->plan)]->name,
@@ -556,7 +552,6 @@ static void fill_limits(struct table *table, const struct results *results, size
                                       .value = check->value,
                                       .interval = {check->low, check->high}};
         put_record(table, limit_fields, &row);
-        text_free(&asked);
     }
 }
 

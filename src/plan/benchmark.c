@@ -62,7 +62,8 @@ static enum status_code measure_model(struct benchmark *out, const struct surfac
     struct model_task task = surface_model_task(surface, asked);
     double loads[LOADS_MOST];
     size_t count = 0;
-    struct contact_point *best = calloc(2 * (LOADS_MOST + 1), sizeof *best), *points = best;
+    OWNED(memory_free) struct contact_point *best = calloc(2 * (LOADS_MOST + 1), sizeof *best);
+    struct contact_point *points = best;
     enum status_code rc = best ? STATUS_OK : status_memory(status);
     if (spectrum.count > HARMONICS_MOST) {
         spectrum.count = HARMONICS_MOST;
@@ -80,7 +81,6 @@ static enum status_code measure_model(struct benchmark *out, const struct surfac
         rc = time_model(row, points, &task, status);
         row->error = largest_error(points, best, LOADS_MOST + 1);
     }
-    free(best);
     return rc;
 }
 

@@ -72,10 +72,9 @@ enum { SHOWN = 40 };
 /** Two digits, as a reader wants them. */
 static const char *shown(char out[SHOWN], double value)
 {
-    struct text text = {0};
+    OWNED(text_free) struct text text = {0};
     number_format(&text, fmin(value, DBL_MAX), 2);
     snprintf(out, SHOWN, "%s", text_string(&text));
-    text_free(&text);
     return out;
 }
 

@@ -67,7 +67,7 @@ enum status_code filter_gaussian(double *smooth_m, const struct profile *profile
     while (length < points + reach)
         length *= 2;
     length = profile->periodic ? points : length;
-    struct fft_room room = {0}, weights = {0};
+    OWNED(fft_room_free) struct fft_room room = {0}, weights = {0};
     bool good = fft_room_make(&room, length) && fft_room_make(&weights, length);
     if (good) {
         memset(weights.record, 0, length * sizeof *weights.record);
@@ -86,7 +86,5 @@ enum status_code filter_gaussian(double *smooth_m, const struct profile *profile
         for (size_t i = 0; i < points; i++) /* by the weights that lie within the record */
             smooth_m[i] /= room.record[i];
     }
-    fft_room_free(&weights);
-    fft_room_free(&room);
     return good ? STATUS_OK : status_memory(status);
 }

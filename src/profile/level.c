@@ -83,7 +83,8 @@ static enum status_code take_robust_line(struct levelling *out, const struct rec
                                          struct status *status)
 {
     size_t n = record->points;
-    double *weight = malloc(2 * n * sizeof *weight), last = INFINITY, largest = 0;
+    OWNED(memory_free) double *weight = malloc(2 * n * sizeof *weight);
+    double last = INFINITY, largest = 0;
     if (!weight)
         return status_memory(status);
     double *size = weight + n;
@@ -108,7 +109,6 @@ static enum status_code take_robust_line(struct levelling *out, const struct rec
     }
     take_out(record, z, &line);
     out->tilt = line.a[1] / record->half_m;
-    free(weight);
     return STATUS_OK;
 }
 

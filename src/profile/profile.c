@@ -290,11 +290,10 @@ static enum status_code take_level(struct profile *profile, const struct profile
 /** Gaussian low-pass of the heights or, where `high`, their difference from it. */
 static enum status_code pass(struct profile *profile, double cutoff_m, bool high, struct status *status)
 {
-    double *smooth_m = malloc(profile->points * sizeof *smooth_m);
+    OWNED(memory_free) double *smooth_m = malloc(profile->points * sizeof *smooth_m);
     enum status_code code = smooth_m ? filter_gaussian(smooth_m, profile, cutoff_m, status) : status_memory(status);
     for (size_t i = 0; i < profile->points && code == STATUS_OK; i++)
         profile->height_m[i] = high ? profile->height_m[i] - smooth_m[i] : smooth_m[i];
-    free(smooth_m);
     if (code != STATUS_OK)
         return code;
     profile_note(profile, "gaussian %s = %.6g um (ISO 16610-21; %s)", high ? "high-pass lambda_c" : "low-pass lambda_s",

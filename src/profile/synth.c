@@ -223,14 +223,12 @@ enum status_code synth_profile(double *height_m, const struct synth_def *def, st
     if (check(def, status) != STATUS_OK)
         return status->code;
     struct synth synth = {.def = def, .count = def->points / 2};
-    double *block = malloc(4 * synth.count * sizeof *block);
+    OWNED(memory_free) double *block = malloc(4 * synth.count * sizeof *block);
     if (!block)
         return status_memory(status);
     synth.xi[0] = block;
     synth.xi[1] = block + synth.count;
     synth.amplitude = block + 2 * synth.count;
     synth.phase = block + 3 * synth.count;
-    enum status_code rc = fill(&synth, height_m, status);
-    free(block);
-    return rc;
+    return fill(&synth, height_m, status);
 }

@@ -24,12 +24,10 @@ static enum status_code programs_read(struct programs *out, const char *template
     *out = (struct programs){0};
     text_add(&out->folder, "%s/export", templates);
     int found = scandir(text_string(&out->folder), &out->entry, NULL, alphasort);
-    if (found < 0) {
-        (void)status_fail(status, STATUS_IO, "cannot read the templates in '%s': %s", text_string(&out->folder),
-                          status_reason(errno));
-        text_free(&out->folder);
-    }
-    out->files = found < 0 ? 0 : (size_t)found;
+    if (found < 0)
+        return status_fail(status, STATUS_IO, "cannot read the templates in '%s': %s", text_string(&out->folder),
+                           status_reason(errno));
+    out->files = (size_t)found;
     for (size_t i = 0; i < out->files && out->count < SCENE_EXPORTS_MOST; i++) {
         char *name = out->entry[i]->d_name, *dot = strrchr(name, '.');
         if (!dot || name[0] == '.' || dot[1] == '\0')
@@ -60,8 +58,8 @@ static bool take_mm(struct string_view *word)
 
 enum status_code export_check(const struct scene *scene, const char *templates, struct status *status)
 {
-    struct programs programs;
-    struct text problem = {0};
+    OWNED(programs_free) struct programs programs = {.count = 0};
+    OWNED(text_free) struct text problem = {0};
     struct string_view word;
     size_t words = 0;
     if (!scene->exports || programs_read(&programs, templates, status) != STATUS_OK)
@@ -75,7 +73,6 @@ enum status_code export_check(const struct scene *scene, const char *templates, 
             text_add(&problem, "; %s behind one gives N, mm, s", view_export_mm);
         }
     }
-    programs_free(&programs);
     if (words == 0)
         text_add(&problem, "names no program; name one, such as calculix");
     for (size_t i = 0; i < scene->surface_count && problem.length == 0; i++)
@@ -86,7 +83,6 @@ enum status_code export_check(const struct scene *scene, const char *templates, 
         (void)status_fail(status, STATUS_USAGE, "--export: %s", text_string(&problem));
     else if (problem.length > 0)
         (void)status_fail(status, STATUS_SCENE, "%s: export: %s", scene->path, text_string(&problem));
-    text_free(&problem);
     return status->code;
 }
 
@@ -101,31 +97,28 @@ static void add_comment(struct text *out, const char *string)
 static enum status_code write_one(json_t *view, const json_t *item, const struct programs *programs, size_t k,
                                   const char *directory, struct status *status)
 {
-    struct text content = {0}, name = {0};
+    OWNED(text_free) struct text content = {0}, name = {0};
     const char *program = programs->name[k], *ending = programs->ending[k];
     const bool mm = json_is_true(json_object_get(item, "mm"));
     char dotted[NAME_MAX + 2];
     snprintf(dotted, sizeof dotted, ".%s", ending);
+    OWNED(mustache_folder_free)
     struct mustache_folder templates = {text_string(&programs->folder), dotted, NULL, status};
-    enum status_code rc = mustache_file(&content, &templates, program, item, add_comment);
     text_add(&name, "export/%s.%s%s.%s", json_string_value(json_object_get(item, "file")), program, mm ? "-mm" : "",
              ending);
-    if (rc == STATUS_OK)
-        rc = text_save(&content, status, "%s/%s", directory, text_string(&name));
+    if (mustache_file(&content, &templates, program, item, add_comment) != STATUS_OK)
+        return status->code;
     if (json_array_size(json_object_get(view, "exported")) < VIEW_ROWS)
         view_text(view_item(view_list(view, "exported")), "file", text_string(&name));
     else
         view_flag(view, "exported_more", true);
-    text_free(&name);
-    mustache_folder_free(&templates);
-    text_free(&content);
-    return rc;
+    return text_save(&content, status, "%s/%s", directory, text_string(&name));
 }
 
 enum status_code export_write(json_t *view, const struct scene *scene, const char *templates, const char *directory,
                               struct status *status)
 {
-    struct programs programs;
+    OWNED(programs_free) struct programs programs = {.count = 0};
     struct string_view word;
     size_t i;
     const json_t *item, *exports = json_object_get(view, "exports");
@@ -142,6 +135,5 @@ enum status_code export_write(json_t *view, const struct scene *scene, const cha
             if (asked[json_is_true(json_object_get(item, "mm"))][k])
                 (void)write_one(view, item, &programs, k, directory, status);
     }
-    programs_free(&programs);
     return status->code;
 }

@@ -15,7 +15,7 @@
  * for its first words: one of charts alone is their figures. */
 
 struct page {
-    struct text body, contents;
+    struct text *body, *contents;
     const char *directory;
     unsigned headings;    /* so far: their ids */
     unsigned parts;       /* those of the first level: below the second, sections are folded */
@@ -47,10 +47,10 @@ static const struct {
 static void begin_words(struct page *page, const char *words)
 {
     if (page->paragraph_waits)
-        text_add(&page->body, "<p>");
+        text_add(page->body, "<p>");
     for (size_t i = 0; page->cell_waits && i < sizeof verdicts / sizeof *verdicts; i++)
         if (starts(words, verdicts[i].mark)) {
-            text_add(&page->body, "%s", verdicts[i].start);
+            text_add(page->body, "%s", verdicts[i].start);
             page->in_verdict = true;
         }
     page->paragraph_waits = page->cell_waits = false;
@@ -63,17 +63,17 @@ static void start_heading(struct page *page, unsigned level)
     page->parts += level == 1;
     page->headings++;
     if (page->in_folded && level <= 2) {
-        text_add(&page->body, "%s", fold_end);
+        text_add(page->body, "%s", fold_end);
         page->in_folded = false;
     }
     bool folds = level == 2 && page->parts > 1;
     page->in_folded |= folds;
     page->in_entry = level == 2 || (level == 1 && page->parts > 1);
-    text_add(&page->body, "%s<h%u id=\"section-%u\">", folds ? "<details class=\"folded\"><summary>" : "", level,
+    text_add(page->body, "%s<h%u id=\"section-%u\">", folds ? "<details class=\"folded\"><summary>" : "", level,
              page->headings);
     if (page->in_entry)
-        text_add(&page->contents, "<li><a href=\"#section-%u\">", page->headings);
-    page->named = page->body.length;
+        text_add(page->contents, "<li><a href=\"#section-%u\">", page->headings);
+    page->named = page->body->length;
 }
 
 void html_anchor(struct text *out, const char *heading)
@@ -89,20 +89,19 @@ void html_anchor(struct text *out, const char *heading)
 /* Names what links lead to by its words. */
 static void add_anchor(struct page *page)
 {
-    struct text anchor = {0};
-    html_anchor(&anchor, text_string(&page->body) + page->named);
-    text_add(&page->body, "<a id=\"%s\"></a>", text_string(&anchor));
+    OWNED(text_free) struct text anchor = {0};
+    html_anchor(&anchor, text_string(page->body) + page->named);
+    text_add(page->body, "<a id=\"%s\"></a>", text_string(&anchor));
     page->named = 0;
-    text_free(&anchor);
 }
 
 static void end_heading(struct page *page, unsigned level)
 {
     if (page->in_entry)
         add_anchor(page);
-    text_add(&page->body, "</h%u>%s", level, page->in_folded && level == 2 ? "</summary>" : "");
+    text_add(page->body, "</h%u>%s", level, page->in_folded && level == 2 ? "</summary>" : "");
     if (page->in_entry)
-        text_add(&page->contents, "</a></li>\n");
+        text_add(page->contents, "</a></li>\n");
     page->in_entry = false;
     page->named = 0;
 }
@@ -135,7 +134,8 @@ static const char *chart_name(const char *source)
 static void add_image(struct page *page, const char *source, const char *label)
 {
     const char *name = chart_name(source);
-    struct text path = {0}, drawing = {0}, *out = &page->body;
+    OWNED(text_free) struct text path = {0}, drawing = {0};
+    struct text *out = page->body;
     if (!name) {
         begin_words(page, label);
         text_add(out, "%s", label);
@@ -150,8 +150,6 @@ static void add_image(struct page *page, const char *source, const char *label)
         if (page->paragraph_waits)
             text_add(out, "\n<figcaption>%s</figcaption>\n</figure>", label);
     }
-    text_free(&path);
-    text_free(&drawing);
 }
 
 /* May a link lead there? Within the page or report, or by a scheme that only opens a page or a letter; nowhere where
@@ -183,7 +181,8 @@ static void add_tag(struct page *page, const char *tag, size_t size)
 {
     bool closes = tag[1] == '/', waits = page->paragraph_waits;
     const char *name = tag + 1 + closes;
-    struct text target = {0}, label = {0}, *out = &page->body;
+    OWNED(text_free) struct text target = {0}, label = {0};
+    struct text *out = page->body;
     const bool names = page->cell_waits && starts(tag, "<strong>"); /* a cell in bold, as a heading */
     if (!starts(name, "p>") && !starts(tag, "<img "))
         begin_words(page, tag);
@@ -218,8 +217,6 @@ static void add_tag(struct page *page, const char *tag, size_t size)
         text_add_bytes(out, tag, size);
     }
     page->named = names ? out->length : page->named;
-    text_free(&target);
-    text_free(&label);
 }
 
 /* Adds what md4c makes of the Markdown. */
@@ -233,11 +230,11 @@ static void add_body(struct page *page, const char *html)
         }
         if (*html != '\n' || size > 1) /* else the end of a line between blocks or figures */
             begin_words(page, html);
-        text_add_bytes(&page->body, html, size);
+        text_add_bytes(page->body, html, size);
         if (page->in_entry)
-            text_add_bytes(&page->contents, html, size);
+            text_add_bytes(page->contents, html, size);
     }
-    text_add(&page->body, "%s", page->in_folded ? fold_end : "");
+    text_add(page->body, "%s", page->in_folded ? fold_end : "");
 }
 
 /* Takes over a piece of what md4c makes. */
@@ -267,24 +264,17 @@ static void escape_html(struct text *out, const char *string)
 enum status_code html_render(struct text *out, const char *markdown, const char *title, const char *directory,
                              const char *templates, struct status *status)
 {
-    struct page page = {.directory = directory, .status = status};
-    struct text shown = shown_markdown(markdown), html = {0};
-    struct mustache_folder folder = {templates, ".html", NULL, status};
-    json_t *view = NULL;
+    OWNED(text_free) struct text shown = shown_markdown(markdown), html = {0}, body = {0}, contents = {0};
+    struct page page = {.body = &body, .contents = &contents, .directory = directory, .status = status};
+    OWNED(mustache_folder_free) struct mustache_folder folder = {templates, ".html", NULL, status};
+    json_auto_t *view = NULL;
     if (shown.length <= UINT_MAX && md_html(text_string(&shown), (MD_SIZE)shown.length, add_piece, &html,
                                             MD_FLAG_TABLES | MD_FLAG_NOHTML, MD_HTML_FLAG_VERBATIM_ENTITIES) == 0) {
         add_body(&page, text_string(&html));
-        view = json_pack("{ss# ss# so}", "contents", text_string(&page.contents), page.contents.length, "body",
-                         text_string(&page.body), page.body.length, "title", json_shown(title));
+        view = json_pack("{ss# ss# so}", "contents", text_string(&contents), contents.length, "body",
+                         text_string(&body), body.length, "title", json_shown(title));
     }
-    enum status_code code = status->code;
-    if (code == STATUS_OK)
-        code = view ? mustache_file(out, &folder, "page", view, escape_html) : status_memory(status);
-    json_decref(view);
-    mustache_folder_free(&folder);
-    text_free(&shown);
-    text_free(&html);
-    text_free(&page.body);
-    text_free(&page.contents);
-    return code;
+    return status->code != STATUS_OK ? status->code
+           : view                    ? mustache_file(out, &folder, "page", view, escape_html)
+                                     : status_memory(status);
 }

@@ -272,8 +272,8 @@ static void put_p(json_t *line, double p)
 static enum status_code add_ranking(json_t *view, struct compared *all, struct status *status)
 {
     char unit[UNIT_LENGTH + 20];
-    const struct estimate **known = malloc((all->ranked_count + 1) * sizeof *known);
-    struct comparison ranking = {.count = 0};
+    OWNED(memory_free) const struct estimate **known = malloc((all->ranked_count + 1) * sizeof *known);
+    OWNED(comparison_free) struct comparison ranking = {.count = 0};
     json_t *out = view_part(view, "ranking");
     if (!known)
         return status_memory(status);
@@ -282,14 +282,15 @@ static enum status_code add_ranking(json_t *view, struct compared *all, struct s
     for (size_t i = 0; i < all->ranked_count; i++)
         if (all->ranked[i].side.known.count > 0)
             known[ranking.count++] = &all->ranked[i].side.known;
-    enum status_code rc = comparison_test(&ranking, known, status);
+    if (comparison_test(&ranking, known, status) != STATUS_OK)
+        return status->code;
     const enum quantity by = all->criterion == QUANTITY_JOINT_ECR && !all->joined ? QUANTITY_ECR : all->criterion;
     view_text(out, "quantity", quantity_shown_name(by));
     view_text(out, "symbol", quantity_rows[by].short_symbol);
     view_text(out, "unit", unit);
     view_some(out, "untested", all->ranked_count - ranking.count);
     view_some(out, "too_many", ranking.count > COMPARISON_RANKED_MOST ? COMPARISON_RANKED_MOST : 0);
-    for (size_t i = 0, place = 0; i < all->ranked_count && rc == STATUS_OK; i++) {
+    for (size_t i = 0, place = 0; i < all->ranked_count; i++) {
         const struct side *side = &all->ranked[i].side;
         json_t *line = all->ranked[i].line, *shown = view_part(line, "shown");
         char letters[RANKING_LETTERS + 1] = "";
@@ -308,9 +309,7 @@ static enum status_code add_ranking(json_t *view, struct compared *all, struct s
         json_array_append(view_list(out, "lines"), line);
         place += tested;
     }
-    comparison_free(&ranking);
-    free(known);
-    return rc;
+    return STATUS_OK;
 }
 
 /** Adds a number of a surface, a line for each report that has it; nothing where only one has, and of the record
@@ -321,7 +320,7 @@ static void add_number(json_t *view, struct compared *all, const char *name, con
     char unit[UNIT_LENGTH + 20] = "";
     double scale = 1;
     bool differ = false;
-    json_t *lines = json_array();
+    json_auto_t *lines = json_array();
     struct side first;
     for (size_t k = 0; k < all->count; k++) {
         bool begun = json_array_size(lines) > 0;
@@ -363,7 +362,6 @@ static void add_number(json_t *view, struct compared *all, const char *name, con
         all->any = true;
     }
     all->differ = all->differ || differ;
-    json_decref(lines);
 }
 
 /** All keys of the objects, in their order; new. */
@@ -381,7 +379,7 @@ static void add_input(json_t *view, struct compared *all, json_t *const *of, con
     static const char *const made[MADE] = {"operating_load_over_AnEp", "effective_modulus_Pa", "reason", "source",
                                            "curves"};
     json_t *values[REPORTS_COMPARED], *ignored;
-    struct text whole = {0};
+    OWNED(text_free) struct text whole = {0};
     char *dumped[REPORTS_COMPARED] = {NULL};
     const char *below;
     bool objects = true, differ = false;
@@ -392,12 +390,11 @@ static void add_input(json_t *view, struct compared *all, json_t *const *of, con
         values[k] = json_object_get(of[k], key);
         objects = json_is_object(values[k]) && objects && whole.length < PATH_MOST;
     }
-    json_t *keys = keys_of(values, objects ? all->count : 0);
+    json_auto_t *keys = keys_of(values, objects ? all->count : 0);
     json_object_foreach(keys, below, ignored)
     {
         add_input(view, all, values, text_string(&whole), below);
     }
-    json_decref(keys);
     for (size_t k = 0; k < all->count && !objects; k++) {
         dumped[k] = json_dumps(values[k], JSON_ENCODE_ANY | JSON_COMPACT | JSON_REAL_PRECISION(10));
         differ = differ || strcmp(dumped[k] ? dumped[k] : "", dumped[0] ? dumped[0] : "") != 0;
@@ -405,19 +402,17 @@ static void add_input(json_t *view, struct compared *all, json_t *const *of, con
     json_t *item = differ ? view_item(view_list(view, "inputs")) : NULL;
     for (size_t k = 0; k < all->count && item; k++) {
         json_t *value = view_item(view_list(item, "values"));
-        struct text cut = {0};
+        OWNED(text_free) struct text cut = {0};
         words_cut(&cut, dumped[k] ? dumped[k] : "", dumped[k] ? strlen(dumped[k]) : 0,
                   TEXT_MOST); /* of nothing: none */
         json_set_count(value, "report", k + 1);
         view_text(value, "value", text_string(&cut));
-        text_free(&cut);
     }
     for (size_t k = 0; k < all->count; k++)
         free(dumped[k]);
     view_text(item, "key", text_string(&whole)); /* of NULL nothing is set */
     all->items += item ? all->count : 0;
     all->differ = all->differ || item;
-    text_free(&whole);
 }
 
 static void add_surface(json_t *view, struct compared *all, const char *name)
@@ -476,11 +471,10 @@ static size_t count_values(const struct text *json)
 
 static void add_model(json_t *models, const char *label)
 {
-    json_t *own = json_object();
+    json_auto_t *own = json_object();
     view_text(own, "label", label);
     if (!view_alike(models, NULL, own))
         json_array_append(models, own);
-    json_decref(own);
 }
 
 /** Puts what targets or limits say, which stands in their answers, into the scene. */
@@ -508,7 +502,7 @@ static void keep_measured(struct compared *all, json_t *surface)
 
 static enum status_code add_report(json_t *view, struct compared *all, const char *path, struct status *status)
 {
-    struct text name = {0}, bytes = {0};
+    OWNED(text_free) struct text name = {0}, bytes = {0};
     json_error_t error = {.line = 1};
     json_t *surface, *item = view_item(view_list(view, "reports")), *results = NULL, *surfaces = json_object();
     struct stat info = {0};
@@ -532,8 +526,6 @@ static enum status_code add_report(json_t *view, struct compared *all, const cha
     if (rc == STATUS_OK && strcmp(string(results, "program"), "roughcontact") != 0)
         rc = status_fail(status, STATUS_IO, "'%s' is damaged, or not of roughcontact (line %d); report again",
                          name.data, results ? 1 : error.line);
-    text_free(&name);
-    text_free(&bytes);
     json_array_foreach(json_object_get(results, "surfaces"), i, surface)
     {
         keep_measured(all, surface);
@@ -579,13 +571,12 @@ enum status_code report_compare(json_t **out, char *const *paths, size_t count, 
         add_input(view, &all, all.results, "", "version");
         add_input(view, &all, all.results, "", "leading");
         add_input(view, &all, all.results, "", "scene");
-        json_t *names = keys_of(all.surfaces, all.count);
+        json_auto_t *names = keys_of(all.surfaces, all.count);
         json_object_foreach(names, name, ignored)
         {
             if (all.items <= limit_most(LIMIT_COMPARED))
                 add_surface(view, &all, name);
         }
-        json_decref(names);
         view_flag(view, "nothing_differs", !all.differ);
         view_flag(view, "beside", all.any);
     }

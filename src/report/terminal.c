@@ -66,30 +66,27 @@ static const char *put_markdown(struct text *out, const char *line)
 enum status_code report_terminal(struct text *out, const char *name, const json_t *view, const char *templates,
                                  bool markdown, struct status *status)
 {
-    struct mustache_folder folder = {templates, ".md", NULL, status};
+    OWNED(mustache_folder_free) struct mustache_folder folder = {templates, ".md", NULL, status};
     const struct mustache how = {view, markdown ? text_add_markdown_shown : text_add_unmarked, mustache_folder_partial,
                                  &folder};
-    struct text path = {0}, source = {0}, words = {0}, sentence = {0};
+    OWNED(text_free) struct text path = {0}, source = {0}, words = {0};
     text_add(&path, "%s/%s.txt", templates, name);
-    enum status_code rc = text_read_file(&source, text_string(&path), status);
-    if (rc == STATUS_OK)
-        rc = mustache_render(&words, text_string(&source), name, &how, status);
+    if (text_read_file(&source, text_string(&path), status) != STATUS_OK ||
+        mustache_render(&words, text_string(&source), name, &how, status) != STATUS_OK)
+        return status->code;
     text_squeeze(&words);
     if (!markdown)
         text_strip_marks(&words);
-    for (const char *line = text_string(&words); *line; text_free(&sentence)) {
+    for (const char *line = text_string(&words); *line;) {
         if (line[strcspn(line, "\t\n")] == '\t') {
             line = markdown ? put_markdown(out, line) : put_table(out, line);
             continue;
         }
+        OWNED(text_free) struct text sentence = {0};
         size_t length = strcspn(line, "\n");
         text_add_bytes(&sentence, line, length + (line[length] == '\n'));
         text_add_wrapped(out, text_string(&sentence), markdown ? INT_MAX : WIDTH, 0);
         line += sentence.length;
     }
-    text_free(&words);
-    text_free(&source);
-    text_free(&path);
-    mustache_folder_free(&folder);
-    return rc;
+    return status->code;
 }

@@ -47,12 +47,11 @@ void view_range(json_t *out, const char *name, double least, double most)
 bool view_interval(json_t *out, double low, double high, const char *between)
 {
     const bool both = isfinite(low) && isfinite(high);
-    struct text shown = {0};
+    OWNED(text_free) struct text shown = {0};
     number_format_range(&shown, low, high, 2, between);
     const bool told = both ? strstr(text_string(&shown), between) != NULL : isfinite(low) || isfinite(high);
     if (told)
         json_object_set_new(out, "interval", json_string(text_string(&shown)));
-    text_free(&shown);
     return told;
 }
 

@@ -180,11 +180,10 @@ void view_export(json_t *out, const struct view_source *source)
     for (size_t u = 0; u < sizeof units / sizeof *units && exports && (u == 0 || strstr(exports, view_export_mm)); u++)
         for (size_t i = 0; i < source->results->surface_count; i++) {
             const struct surface_record *record = &source->results->surfaces[i];
-            json_t *item = json_object();
+            json_auto_t *item = json_object();
             if (record->summary.usable && record->curves && record->curves[source->leading].exists)
                 put_surface(item, source, i, &units[u]);
             if (json_array_size(json_object_get(item, "rows")) > 0)
                 json_array_append(view_list(out, "exports"), item);
-            json_decref(item);
         }
 }

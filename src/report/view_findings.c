@@ -375,7 +375,8 @@ static void check_model(struct finding *f, json_t *numbers, json_t *opposed, siz
     const struct model_row *model = model_rows[m];
     const bool pairs = f->row->with == NEIGHBOUR && f->row->check != check_number;
     const size_t before = f->all.bad, places = f->row->is & WHOLE ? 1 : f->source->results->usable_count;
-    json_t *against = json_object(), *on = view_list(against, "on");
+    json_auto_t *against = json_object();
+    json_t *on = view_list(against, "on");
     size_t tested = 0;
     f->m = m;
     f->step = f->row->with == NEIGHBOUR;
@@ -403,7 +404,6 @@ static void check_model(struct finding *f, json_t *numbers, json_t *opposed, siz
     }
     if (f->all.bad > before && (!(f->row->is & ONCE) || json_array_size(on) > 0))
         json_array_append(opposed, against);
-    json_decref(against);
     if (!(f->least <= f->most))
         return;
     json_t *item = view_item(numbers);
@@ -426,7 +426,8 @@ void view_findings(json_t *out, const struct view_source *source)
         struct finding finding = {.source = source, .row = row, .law_m = law_m};
         if ((row->effects & ~plan->running) || (row->models & ~kinds) || source->results->usable_count < row->surfaces)
             continue;
-        json_t *item = json_object(), *numbers = view_list(item, "numbers"), *opposed = view_list(item, "opposed");
+        json_auto_t *item = json_object();
+        json_t *numbers = view_list(item, "numbers"), *opposed = view_list(item, "opposed");
         for (size_t m = 0, called = 0; m < model_count && !((row->is & ONCE) && called > 0); m++)
             if (((row->models ? row->models : FAMILIES) & speaks(plan, m)) && ++called)
                 check_model(&finding, numbers, opposed, m);
@@ -442,7 +443,6 @@ void view_findings(json_t *out, const struct view_source *source)
         view_flag(item, "fails", 2 * good < all);
         if (all > 0)
             json_array_append(list, item);
-        json_decref(item);
     }
     view_flag(out, "has_findings", json_array_size(list) > 0);
 }

@@ -43,11 +43,10 @@ static void put_model(json_t *out, const struct view_source *source, size_t m)
     const struct contact_point at = comparison_middle(results, m, surface);
     const struct curve_summary *curve = surface_model(view_summary(source, surface), m);
     double scale = asked_load_of(results, surface).scale, sigma_m = view_summary(source, surface)->asperities.sigma_m;
-    struct text anchor = {0};
+    OWNED(text_free) struct text anchor = {0};
     html_anchor(&anchor, model_rows[m]->label);
     view_text(row, "label", model_rows[m]->label);
     view_text(row, "anchor", text_string(&anchor));
-    text_free(&anchor);
     for (enum quantity q = 0; q < QUANTITY_COUNT; q++)
         if (in_table(source, q))
             view_number(view_item(view_list(row, "cells")), "text",
@@ -73,7 +72,7 @@ static void put_model(json_t *out, const struct view_source *source, size_t m)
 static void put_one_surface(json_t *out, const struct view_source *source)
 {
     const struct results *results = source->results;
-    json_t *item = json_object();
+    json_auto_t *item = json_object();
     view_text(item, "surface", view_name(source, results->baseline));
     view_load(item, "load", source, results->baseline, results_operating_load(results, results->baseline));
     for (enum quantity q = 0; q < QUANTITY_COUNT; q++)
@@ -100,14 +99,14 @@ static void put_one_surface(json_t *out, const struct view_source *source)
         }
     if (json_object_get(item, "rows"))
         json_object_set(out, "one_surface", item);
-    json_decref(item);
 }
 
 /** Table 6.3: β of each surface, by full contact and by the multiscale model. */
 static void put_all_surfaces(json_t *out, const struct view_source *source)
 {
     const struct results *results = source->results;
-    json_t *item = json_object(), *heads = view_list(item, "heads"), *rows = view_list(item, "rows");
+    json_auto_t *item = json_object();
+    json_t *heads = view_list(item, "heads"), *rows = view_list(item, "rows");
     for (size_t m = 0; m < model_count; m++)
         if (adjusts(source, m)) {
             json_t *head = view_item(heads);
@@ -138,7 +137,6 @@ static void put_all_surfaces(json_t *out, const struct view_source *source)
     view_flag(item, "some_shown", results->shown_count < results->usable_count);
     if (results->usable_count > 1 || betas)
         json_object_set(out, "all_surfaces", item);
-    json_decref(item);
 }
 
 /** Does the area of the sweeps settle, and that of the surfaces? */
@@ -195,7 +193,7 @@ void view_joint(json_t *out, const struct view_source *source)
     const struct scene *scene = source->results->scene;
     const struct joint *joint = &scene->joint;
     const struct plan *plan = source->results->plan;
-    json_t *item = json_joint(source->results);
+    json_auto_t *item = json_joint(source->results);
     view_flag(item, "medium", joint->fill == JOINT_MEDIUM);
     view_text(item, "filler",
               joint->filler                               ? joint_filler_names[joint->filler]
@@ -214,7 +212,6 @@ void view_joint(json_t *out, const struct view_source *source)
     if (plan->running & (EFFECT_BIT(EFFECT_GAP) | EFFECT_BIT(EFFECT_FILM) | EFFECT_BIT(EFFECT_PLATING) |
                          EFFECT_BIT(EFFECT_HEATING) | EFFECT_BIT(EFFECT_SHAPE)))
         json_object_set(out, "joint", item);
-    json_decref(item);
 }
 
 /* ---- Measured, and the direct solution ---- */

@@ -14,7 +14,7 @@ static void put_known(json_t *out, json_t *row, const char *name, const struct v
 {
     static const char *const signs[] = {[KNOWN_VALUE] = "", [KNOWN_AT_MOST] = "≤\u00a0", [KNOWN_MORE_THAN] = ">\u00a0"};
     const struct known known = known_shown(source->results, &source->asked, target, surface);
-    struct text text = {0};
+    OWNED(text_free) struct text text = {0};
     text_add(&text, "%s", known.kind == KNOWN_NOTHING ? "–" : signs[known.kind]);
     if (known.kind != KNOWN_NOTHING)
         number_format(&text, known.value, known_digits(&known));
@@ -26,7 +26,6 @@ static void put_known(json_t *out, json_t *row, const char *name, const struct v
     view_flag(cell, "overloaded", known.overloaded);
     if (known.overloaded)
         view_flag(out, "some_overloaded", true);
-    text_free(&text);
 }
 
 static void put_row(json_t *out, json_t *row, const struct view_source *source, size_t surface, bool lettered)
@@ -130,7 +129,7 @@ size_t view_limits_of(struct text *out, const struct results *results, struct wo
             bool swapped = limit->is_upper != limit->is_most; /* a reciprocal's ends */
             if (check->verdict == LIMIT_MET || (check->verdict == LIMIT_MISSED) != missed)
                 continue;
-            json_t *view = json_object();
+            json_auto_t *view = json_object();
             view_text(view, "surface", results->surfaces[i].summary.scene->name);
             view_text(view, "symbol", limit->symbol);
             view_text(view, "sign", limit->is_most ? "≤" : "≥");
@@ -141,7 +140,6 @@ size_t view_limits_of(struct text *out, const struct results *results, struct wo
                        scene_asked_shown(limit, swapped ? check->low : check->high));
             (void)words_fill(out, words, missed ? "limit.missed" : "limit.undecided", view, NULL);
             text_add(out, "\n");
-            json_decref(view);
             count++;
         }
     return count;

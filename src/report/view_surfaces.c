@@ -193,12 +193,11 @@ static void put_notes(json_t *out, const struct view_source *source)
 {
     for (size_t i = 0; i < source->results->surface_count; i++)
         for (size_t n = 0; n < view_summary(source, i)->notes.count; n++) {
-            struct text line = {0};
+            OWNED(text_free) struct text line = {0};
             json_t *own = json_object();
             note_line(&line, source->words, &view_summary(source, i)->notes.notes[n]);
             view_text(own, "line", text_string(&line));
             put_once(view_list(out, "notes"), own, view_name(source, i));
-            text_free(&line);
         }
 }
 

@@ -44,13 +44,12 @@ void asked_text(char *out, size_t size, const char *text)
 {
     int number = (int)strcspn(text, " "), mantissa = (int)strcspn(text, " e");
     char unit[UNIT_LENGTH + 16];
-    struct text power = {0};
+    OWNED(text_free) struct text power = {0};
     if (mantissa < number)
         number_format(&power, strtod(text, NULL), mantissa > 1 ? mantissa - 1 : 1);
     asked_unit(unit, sizeof unit, text[number] ? text + number + 1 : "");
     snprintf(out, size, "%.*s%s%s%s", power.length ? 0 : number, text, text_string(&power), unit[0] ? "\u00a0" : "",
              unit);
-    text_free(&power);
 }
 
 double asked_shown(const struct asked *asked, double value)

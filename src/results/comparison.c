@@ -68,11 +68,12 @@ enum status_code comparison_test(struct comparison *ranking, const struct estima
 {
     size_t count = ranking->count, pairs = count * (count - (count > 0)) / 2;
     double least = usual_scatter(estimates, count);
-    double *p = malloc((pairs + 1) * sizeof *p);
-    bool *apart = malloc((pairs + 1) * sizeof *apart);
+    OWNED(memory_free) double *p = malloc((pairs + 1) * sizeof *p);
+    OWNED(memory_free) bool *apart = malloc((pairs + 1) * sizeof *apart);
     ranking->pairs = malloc((pairs + 1) * sizeof *ranking->pairs);
-    enum status_code rc = p && apart && ranking->pairs ? STATUS_OK : status_memory(status);
-    for (size_t i = 0; i < count && rc == STATUS_OK; i++)
+    if (!p || !apart || !ranking->pairs)
+        return status_memory(status);
+    for (size_t i = 0; i < count; i++)
         for (size_t j = i + 1; j < count; j++) {
             size_t k = ranking_pair(i, j, count);
             struct estimate two[] = {*estimates[i], *estimates[j]};
@@ -81,17 +82,13 @@ enum status_code comparison_test(struct comparison *ranking, const struct estima
             ranking->pairs[k] = comparison_of_two(&two[0], &two[1]);
             p[k] = ranking->pairs[k].p;
         }
-    if (rc == STATUS_OK)
-        rc = ranking_holm(p, p, pairs, status);
-    for (size_t k = 0; k < pairs && rc == STATUS_OK; k++) {
+    if (ranking_holm(p, p, pairs, status) != STATUS_OK)
+        return status->code;
+    for (size_t k = 0; k < pairs; k++) {
         ranking->pairs[k].p = p[k];
         apart[k] = comparison_told_apart(&ranking->pairs[k]);
     }
-    if (rc == STATUS_OK && count <= COMPARISON_RANKED_MOST)
-        rc = ranking_groups_make(&ranking->groups, apart, count, status);
-    free(p);
-    free(apart);
-    return rc;
+    return count <= COMPARISON_RANKED_MOST ? ranking_groups_make(&ranking->groups, apart, count, status) : STATUS_OK;
 }
 
 bool comparison_told_apart(const struct comparison_pair *pair)

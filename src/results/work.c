@@ -70,13 +70,12 @@ uint64_t work_table(struct text *out, const struct results *results, bool done)
         text_add(out, "%-16s %-8s", rows[r].name, words_say(words, rows[r].runs ? "plan.run" : "plan.skipped"));
         if (done)
             text_add(out, " %12llu %10.4f", (unsigned long long)rows[r].evaluations, rows[r].seconds);
-        struct text why = {0};
+        OWNED(text_free) struct text why = {0};
         text_add_shown(&why, rows[r].reason); /* may name a surface */
         text_add(&why, "%s%s", done || !rows[r].changes[0] ? "" : "; ", done ? "" : rows[r].changes);
         text_add(out, "  ");
         text_add_wrapped(out, text_string(&why), done ? 1 << 20 : WIDTH, INDENT);
         text_add(out, "\n");
-        text_free(&why);
         evaluations += rows[r].evaluations;
     }
     return evaluations;

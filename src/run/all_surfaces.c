@@ -180,13 +180,16 @@ static enum status_code middle_place(size_t *place, const struct surface_record 
     const struct model_row *row = model_rows[plan_leading_model(asked->plan)];
     size_t count = asked->load_count;
     struct model_task task = surface_model_task(record, asked);
-    struct model_curve curve = {.points = calloc(count + 1, sizeof *curve.points)};
-    enum status_code rc = curve.points ? STATUS_OK : status_memory(status);
+    OWNED(memory_free) struct contact_point *points = calloc(count + 1, sizeof *points);
+    struct model_curve curve = {.points = points};
     task.wanted &= QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA);
-    if (rc == STATUS_OK)
-        rc = ensemble_curve(&curve, NULL, &record->ensemble, row->gaussian ? row->gaussian : row, &task, status);
+    if (!points)
+        return status_memory(status);
+    if (ensemble_curve(&curve, NULL, &record->ensemble, row->gaussian ? row->gaussian : row, &task, status) !=
+        STATUS_OK)
+        return status->code;
     double first = NAN, last = NAN, middle, nearest = INFINITY;
-    for (size_t i = 0; rc == STATUS_OK && curve.exists && i < curve.count; i++) {
+    for (size_t i = 0; curve.exists && i < curve.count; i++) {
         double area = curve.points[i].value[QUANTITY_AREA], load = curve.points[i].value[QUANTITY_LOAD];
         if (area < least || area > most)
             continue;
@@ -194,7 +197,7 @@ static enum status_code middle_place(size_t *place, const struct surface_record 
         last = load;
     }
     middle = sqrt(first) * sqrt(last);
-    for (size_t i = 0; rc == STATUS_OK && curve.exists && i < curve.count && i < count; i++) {
+    for (size_t i = 0; curve.exists && i < curve.count && i < count; i++) {
         double off = fabs(isnan(middle) ? log(curve.points[i].value[QUANTITY_AREA] / sqrt(least * most))
                                         : log(loads[i] / middle));
         if (off < nearest) {
@@ -202,8 +205,7 @@ static enum status_code middle_place(size_t *place, const struct surface_record 
             *place = i;
         }
     }
-    free(curve.points);
-    return rc;
+    return STATUS_OK;
 }
 
 /** The baseline, before any model runs: the scene's, the only one, or chosen by roughness among the first hundred. */

@@ -54,12 +54,11 @@ static void say(struct text *messages, const char *surface, const char *what, co
 /** Adds the line of a kind. */
 static void say_note(struct text *messages, const struct kind *kind, struct words *words)
 {
-    struct text line = {0};
+    OWNED(text_free) struct text line = {0};
     note_line(&line, words, kind->note);
     if (kind->surfaces > 1) /* whose numbers may be others */
         text_add(&line, " (and such a note on %zu more)", kind->surfaces - 1);
     say(messages, kind->first, "", text_string(&line));
-    text_free(&line);
 }
 
 /** Counts a note with its kind; false: there are too many kinds. */

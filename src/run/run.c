@@ -234,11 +234,9 @@ static bool stopped(const struct run *run)
 /** Starts gnuplot, once there is something to draw. */
 static enum status_code begin_charts(struct run *run, struct status *status)
 {
-    struct text directory = {0};
+    OWNED(text_free) struct text directory = {0};
     text_add(&directory, "%s/figures", run->output.staging);
-    enum status_code rc = gnuplot_start(&run->gnuplot, text_string(&directory), status);
-    text_free(&directory);
-    return rc;
+    return gnuplot_start(&run->gnuplot, text_string(&directory), status);
 }
 
 /** Writes the files of the report. gnuplot draws while costs are measured and tables written. */
@@ -277,11 +275,11 @@ static enum status_code write_all(struct run *run, struct run_outcome *out, stru
     if (figures_finish(&out->charts, &figures, &drawing, status) != STATUS_OK)
         return status->code;
     out->times.gnuplot = lap(&last);
+    OWNED(memory_free)
     char *own = !options->template && run->scene->template ? scene_file_path(run->scene, run->scene->template) : NULL;
     const struct report_options how = {options->templates, own ? own : options->template, options->brief};
     enum status_code rc = export_write(run->view, run->scene, options->templates, staging, status);
     rc = rc == STATUS_OK ? report_write(run->view, &how, staging, status) : rc;
-    free(own);
     if (rc != STATUS_OK ||
         report_terminal(&out->table, "terminal", run->view, options->templates, false, status) != STATUS_OK)
         return status->code;
@@ -296,16 +294,13 @@ static enum status_code begin_output(struct run *run, struct status *status)
 {
     if (run->options->output)
         return exchange_begin(&run->output, run->options->output, status);
-    char *real = realpath(run->scene->directory, NULL);
+    OWNED(memory_free) char *real = realpath(run->scene->directory, NULL);
     if (!real)
         return status_fail(status, STATUS_IO, "cannot open '%s'", run->scene->directory);
     const char *name = strrchr(real, '/');
-    struct text target = {0};
+    OWNED(text_free) struct text target = {0};
     text_add(&target, "out/%s", name && name[1] ? name + 1 : "root");
-    free(real);
-    enum status_code rc = exchange_begin(&run->output, text_string(&target), status);
-    text_free(&target);
-    return rc;
+    return exchange_begin(&run->output, text_string(&target), status);
 }
 
 enum status_code run_report(struct run_outcome *out, const struct scene *scene, const struct run_options *options,

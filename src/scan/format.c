@@ -29,7 +29,7 @@ static enum status_code read_utf16(struct scan *out, const struct scan_file *fil
     iconv_t convert = iconv_open("UTF-8", "UTF-16");
     if (convert == (iconv_t)-1)
         return scan_fail(file, 0, "cannot convert from UTF-16 (%s); save it as UTF-8", strerror(errno));
-    struct text text = {0};
+    OWNED(text_free) struct text text = {0};
     char *from = (char *)file->bytes; /* iconv takes the mark off */
     bool stopped = false;             /* at half a surrogate pair */
     for (size_t left = file->length; left > 0 && !stopped;) {
@@ -41,11 +41,9 @@ static enum status_code read_utf16(struct scan *out, const struct scan_file *fil
     iconv_close(convert);
     struct scan_file utf8 = {text.failed ? "" : text_string(&text), text.length, file->path, file->options,
                              file->status};
-    enum status_code code = text.failed ? status_memory(file->status)
-                            : stopped   ? scan_fail(file, 0, "damaged UTF-16; save it as UTF-8")
-                                        : format_read(out, &utf8);
-    text_free(&text);
-    return code;
+    return text.failed ? status_memory(file->status)
+           : stopped   ? scan_fail(file, 0, "damaged UTF-16; save it as UTF-8")
+                       : format_read(out, &utf8);
 }
 
 const struct format format_rows[] = {

@@ -133,7 +133,7 @@ enum status_code scan_read(struct scan *out, const char *path, const struct scan
                            struct status *status)
 {
     *out = (struct scan){.ny = 1};
-    struct text text = {0};
+    OWNED(text_free) struct text text = {0};
     enum status_code code = text_read_file(&text, path, status);
     if (code == STATUS_OK) {
         struct scan_bytes file = {text_string(&text), text.length, path};
@@ -141,7 +141,6 @@ enum status_code scan_read(struct scan *out, const char *path, const struct scan
         how.spent = &text;
         code = scan_read_beside(out, &file, path, &how, status);
     }
-    text_free(&text);
     return code;
 }
 

@@ -109,12 +109,9 @@ enum status_code scan_sur_read(struct scan *out, const struct scan_file *file)
         return take_heights(out, &header, bytes, file);
     if (scan_check_points(header.nx, header.ny, file) != STATUS_OK)
         return file->status->code;
-    char *data = NULL;
+    OWNED(memory_free) char *data = NULL;
     size_t size = 0;
     enum status_code code =
         inflate_streams(&data, &size, bytes, (size_t)(header.nx * header.ny * header.bits / 8), file);
-    if (code == STATUS_OK)
-        code = take_heights(out, &header, (struct bytes){data, data + size, false}, file);
-    free(data);
-    return code;
+    return code == STATUS_OK ? take_heights(out, &header, (struct bytes){data, data + size, false}, file) : code;
 }

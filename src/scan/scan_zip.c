@@ -129,8 +129,8 @@ enum status_code scan_packed_read(struct scan *out, const struct scan_file *file
     if (format.kind != FORMAT_PACKED)
         return format_read(out, file);
     out->format = format.name;
-    struct archive archive = {0};
-    struct text text = {0};
+    OWNED(archive_close) struct archive archive = {0};
+    OWNED(text_free) struct text text = {0};
     bool zip = strcmp(format.name, "zip") == 0;
     enum status_code code = zip ? archive_open(&archive, file) : unpack_gz(&text, file);
     if (code == STATUS_OK && zip)
@@ -138,7 +138,5 @@ enum status_code scan_packed_read(struct scan *out, const struct scan_file *file
     else if (code == STATUS_OK)
         code = format_read(
             out, &(struct scan_file){text_string(&text), text.length, file->path, file->options, file->status});
-    archive_close(&archive);
-    text_free(&text);
     return code;
 }

@@ -62,7 +62,7 @@ static const char *dabam_unit(const json_t *object, size_t index, double format)
 static bool read_dabam(struct text_header *out, const struct text *bytes)
 {
     const char *start = strchr(text_string(bytes), '{'); /* behind a byte order mark */
-    json_t *root = json_loadb(start, bytes->length - (size_t)(start - text_string(bytes)), 0, NULL);
+    json_auto_t *root = json_loadb(start, bytes->length - (size_t)(start - text_string(bytes)), 0, NULL);
     const bool any = dabam_factor(root, 'X', 1) > 0;
     double format = dabam_number(root, "FILE_FORMAT");
     bool pairs = format == DABAM_SLOPES_IN_PAIRS || format == DABAM_HEIGHTS_IN_PAIRS;
@@ -71,7 +71,6 @@ static bool read_dabam(struct text_header *out, const struct text *bytes)
         out->unit[x] = scan_unit_of(dabam_factor(root, 'X', pairs ? i : 1));
         out->unit[y] = dabam_unit(root, i, format);
     }
-    json_decref(root);
     return any;
 }
 
@@ -89,11 +88,9 @@ bool sidecar_read(struct sidecar *out, const char *path)
 {
     struct stat info;
     struct status ignored = {0};
-    struct text bytes = {0};
-    bool any = stat(path, &info) == 0 && S_ISREG(info.st_mode) && info.st_size <= most_bytes &&
-               text_read_file(&bytes, path, &ignored) == STATUS_OK && sidecar_read_text(out, &bytes, path);
-    text_free(&bytes);
-    return any;
+    OWNED(text_free) struct text bytes = {0};
+    return stat(path, &info) == 0 && S_ISREG(info.st_mode) && info.st_size <= most_bytes &&
+           text_read_file(&bytes, path, &ignored) == STATUS_OK && sidecar_read_text(out, &bytes, path);
 }
 
 enum status_code sidecar_find(struct sidecar *out, char **found, const char *path, struct status *status)

@@ -263,23 +263,22 @@ enum status_code measured_file_read(struct measured_file *out, struct string_vie
     }
     if (rc == STATUS_SCENE)
         return status_prefix(status, "%s:%zu", name, in.line);
-    if (rc == STATUS_OK && out->count == 0)
-        rc = status_fail(status, STATUS_SCENE, "%s: no row of %s", name, row_names[in.field]);
-    return rc;
+    return rc == STATUS_OK && out->count == 0
+               ? status_fail(status, STATUS_SCENE, "%s: no row of %s", name, row_names[in.field])
+               : rc;
 }
 
 enum status_code measured_file_take(struct measured_file *out, const char *path, const char *name,
                                     const unsigned quantities[MEASURED_COLUMNS], struct status *status)
 {
-    struct text content = {0};
+    OWNED(text_free) struct text content = {0};
     enum status_code rc = text_read_file(&content, path, status);
     const char *start = text_string(&content);
     if (rc == STATUS_OK && memchr(start, '\0', content.length))
         rc = status_fail(status, STATUS_SCENE, "%s: a NUL byte in the file; save it as plain text (UTF-8)", name);
-    if (rc == STATUS_OK)
-        rc = measured_file_read(out, (struct string_view){start, start + content.length}, name, quantities, status);
-    text_free(&content);
-    return rc;
+    return rc == STATUS_OK
+               ? measured_file_read(out, (struct string_view){start, start + content.length}, name, quantities, status)
+               : rc;
 }
 
 void measured_file_free(struct measured_file *file)

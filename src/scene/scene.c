@@ -287,19 +287,17 @@ static void check_surfaces(struct scene *scene, struct scene_source *source)
 
 static void check_template(struct scene *scene, struct scene_source *source)
 {
-    char *path = scene->template ? scene_file_path(scene, scene->template) : NULL;
+    OWNED(memory_free) char *path = scene->template ? scene_file_path(scene, scene->template) : NULL;
     if (scene->template && (!path || access(path, R_OK) != 0))
         FAIL_KEY(source, "template", "cannot read the template '%s': %s", scene_words_show(scene->template).text,
                  strerror(errno));
-    free(path);
 }
 
 static void give_title(struct scene *scene, struct scene_source *source)
 {
-    char *path = realpath(scene->directory, NULL); /* the directory's own name, however it is given */
+    OWNED(memory_free) char *path = realpath(scene->directory, NULL); /* its own name, however it is given */
     if (!scene->title && !(scene->title = strdup(path ? basename(path) : scene->directory)))
         scene_source_memory(source);
-    free(path);
 }
 
 static void (*const steps[])(struct scene *scene, struct scene_source *source) = {
@@ -314,7 +312,7 @@ enum status_code scene_read(struct scene *out, const char *directory, const stru
     static const struct scene_overrides nothing = {0};
     const struct scene_overrides *over = overrides ? overrides : &nothing;
     struct scene_source source = {.scene = out, .status = status, .overrides = over};
-    struct text loaded = {0};
+    OWNED(text_free) struct text loaded = {0};
     struct stat info;
     *out = default_scene();
     if (stat(directory, &info) != 0)
@@ -334,7 +332,6 @@ enum status_code scene_read(struct scene *out, const char *directory, const stru
     }
     if (good && out->accuracy > 0)
         plan_choose_model(out);
-    text_free(&loaded);
     return status->code;
 }
 

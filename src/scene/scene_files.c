@@ -45,18 +45,16 @@ static bool is_sidecar(const struct scene *scene, const char *file)
 {
     size_t stem;
     struct sidecar sidecar;
-    char *path = sidecar_ending(file, &stem) ? scene_file_path(scene, file) : NULL;
-    bool is = path && sidecar_read(&sidecar, path);
-    free(path);
-    return is;
+    OWNED(memory_free) char *path = sidecar_ending(file, &stem) ? scene_file_path(scene, file) : NULL;
+    return path && sidecar_read(&sidecar, path);
 }
 
 enum status_code scene_files_match(struct scene_files *files, const struct scene *scene, const char *pattern,
                                    mode_t kind, struct status *status)
 {
     const char *slash = strrchr(pattern, '/'), *name = slash ? slash + 1 : pattern;
-    char *folder = strndup(pattern, (size_t)(name - pattern));
-    char *path = folder && *folder ? scene_file_path(scene, folder) : strdup(scene->directory);
+    OWNED(memory_free) char *folder = strndup(pattern, (size_t)(name - pattern));
+    OWNED(memory_free) char *path = folder && *folder ? scene_file_path(scene, folder) : strdup(scene->directory);
     struct dirent **entries = NULL;
     enum status_code code = folder && path ? STATUS_OK : status_memory(status);
     int count = path ? scandir(path, &entries, NULL, versionsort) : 0;
@@ -66,7 +64,7 @@ enum status_code scene_files_match(struct scene_files *files, const struct scene
         code = status_fail(status, STATUS_SCENE, "%d files in '%s'%s", count, scene_words_show(path).text,
                            limit_words(LIMIT_FILES).text);
     for (int i = 0; i < count; i++) {
-        char *file = NULL, *at = NULL;
+        OWNED(memory_free) char *file = NULL, *at = NULL;
         struct stat info;
         if (code == STATUS_OK && fnmatch(name, entries[i]->d_name, FNM_PERIOD) == 0) {
             if (asprintf(&file, "%s%s", folder, entries[i]->d_name) < 0 || !(at = scene_file_path(scene, file)))
@@ -75,13 +73,9 @@ enum status_code scene_files_match(struct scene_files *files, const struct scene
                      (kind == S_IFDIR || !is_sidecar(scene, file)))
                 code = scene_files_add(files, file, status);
         }
-        free(at);
-        free(file);
         free(entries[i]);
     }
     free(entries);
-    free(path);
-    free(folder);
     return code;
 }
 
@@ -139,13 +133,10 @@ static enum status_code tell_apart(struct scene *scene, struct status *status)
 /* Are both paths the same file? */
 static bool is_same(const struct scene *scene, const char *a, const char *b)
 {
-    char *first = scene_file_path(scene, a), *second = scene_file_path(scene, b);
+    OWNED(memory_free) char *first = scene_file_path(scene, a), *second = scene_file_path(scene, b);
     struct stat info[2];
-    bool same = first && second && stat(first, &info[0]) == 0 && stat(second, &info[1]) == 0 &&
-                info[0].st_dev == info[1].st_dev && info[0].st_ino == info[1].st_ino;
-    free(first);
-    free(second);
-    return same;
+    return first && second && stat(first, &info[0]) == 0 && stat(second, &info[1]) == 0 &&
+           info[0].st_dev == info[1].st_dev && info[0].st_ino == info[1].st_ino;
 }
 
 /* Is the file the scene, a scan of the counterface, a measurement or the parts' shape? */
@@ -199,7 +190,7 @@ static const char *kind_of_other(const struct scene *scene, const char *name)
     FILE *file = descriptor < 0 ? NULL : fdopen(descriptor, "rb");
     size_t length = file ? fread(bytes, 1, sizeof bytes, file) : 0;
     bool whole = length < sizeof bytes;
-    struct text all = {0};
+    OWNED(text_free) struct text all = {0};
     text_add_bytes(&all, bytes, length);
     if (!whole && scan_tells_at_end(text_string(&all), all.length))
         whole = text_read_stream(&all, file, path, &(struct status){0}) == STATUS_OK;
@@ -207,7 +198,6 @@ static const char *kind_of_other(const struct scene *scene, const char *name)
     const char *kind = file ? scan_is_other(&content, whole) : NULL;
     if (file)
         fclose(file);
-    text_free(&all);
     free(path);
     return kind;
 }
@@ -219,14 +209,15 @@ static enum status_code add_surface(struct scene *scene, struct scene_files *oth
 {
     struct scene_surface *surface = &scene->surfaces[scene->surface_count++];
     *surface = (struct scene_surface){.name = folder ? strdup(name) : scene_files_name(name, false)};
-    char *pattern = NULL;
+    OWNED(memory_free) char *pattern = NULL;
     size_t kept = 0;
     if (!surface->name || (folder && asprintf(&pattern, "%s/*", name) < 0))
         return status_memory(status);
     enum status_code code = folder ? scene_files_match(&surface->files, scene, pattern, S_IFREG, status)
                                    : scene_files_add(&surface->files, name, status);
     for (size_t i = 0; i < surface->files.count; i++) {
-        char *file = surface->files.path[i], *noted = NULL;
+        char *file = surface->files.path[i];
+        OWNED(memory_free) char *noted = NULL;
         bool taken = is_taken(scene, file);
         const char *kind = taken ? NULL : kind_of_other(scene, file);
         if (!taken && !kind) {
@@ -236,10 +227,8 @@ static enum status_code add_surface(struct scene *scene, struct scene_files *oth
         if (kind && code == STATUS_OK)
             code = asprintf(&noted, "%s\n%s", kind, file) < 0 ? status_memory(status)
                                                               : scene_files_add(others, noted, status);
-        free(noted);
         free(file);
     }
-    free(pattern);
     surface->files.count = kept;
     if (kept == 0) {
         scene_surfaces_free(surface);
@@ -251,17 +240,14 @@ static enum status_code add_surface(struct scene *scene, struct scene_files *oth
 /* Can the folder be listed, and is it no report of this program? */
 static bool may_hold_scans(const struct scene *scene, const char *folder)
 {
-    char *path = scene_file_path(scene, folder), *results = NULL;
-    bool may = path && asprintf(&results, "%s/results.json", path) >= 0 && access(path, R_OK | X_OK) == 0 &&
-               access(results, F_OK) != 0;
-    free(results);
-    free(path);
-    return may;
+    OWNED(memory_free) char *path = scene_file_path(scene, folder), *results = NULL;
+    return path && asprintf(&results, "%s/results.json", path) >= 0 && access(path, R_OK | X_OK) == 0 &&
+           access(results, F_OK) != 0;
 }
 
 void scene_files_list(struct scene *scene, struct scene_source *source)
 {
-    struct scene_files files = {0}, folders = {0}, others = {0};
+    OWNED(scene_files_free) struct scene_files files = {0}, folders = {0}, others = {0};
     struct status *status = source->status;
     if (scene->surface_count > 0)
         return;
@@ -278,9 +264,6 @@ void scene_files_list(struct scene *scene, struct scene_source *source)
             (void)add_surface(scene, &others, folders.path[i], true, status);
     if (status->code == STATUS_OK && tell_others(scene, &others, status) == STATUS_OK)
         (void)tell_apart(scene, status);
-    scene_files_free(&files);
-    scene_files_free(&folders);
-    scene_files_free(&others);
 }
 
 static const char *ending_of(const char *file)

@@ -97,7 +97,7 @@ static bool read_effects(struct scene_source *source, const struct scene_key *ke
 /* Names of programs, joined: export_check() knows which there are. */
 static bool read_export(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value, void *field)
 {
-    struct text names = {0};
+    OWNED(text_free) struct text names = {0};
     char **exports = field;
     bool good = true;
     for (size_t i = 0; i < scene_source_item_count(value) && good; i++) {
@@ -108,7 +108,6 @@ static bool read_export(struct scene_source *source, const struct scene_key *key
     free(*exports);
     *exports = strdup(text_string(&names));
     source->scene->exports_overridden = source->option;
-    text_free(&names);
     return good && (*exports || scene_source_memory(source));
 }
 

@@ -139,10 +139,11 @@ static bool lay(struct scene_source *source, const char *file, double *const at[
 
 static bool read_height(struct scene_source *source, const char *file)
 {
-    struct scan scan = {0};
+    OWNED(scan_free) struct scan scan = {0};
     struct status problem = {0};
-    char *path = scene_file_path(source->scene, file);
-    double *room = NULL, top = -INFINITY;
+    OWNED(memory_free) char *path = scene_file_path(source->scene, file);
+    OWNED(memory_free) double *room = NULL;
+    double top = -INFINITY;
     bool good = path && scan_read(&scan, path, &(struct scan_options){0}, &problem) == STATUS_OK;
     if (!path)
         good = scene_source_memory(source);
@@ -165,9 +166,6 @@ static bool read_height(struct scene_source *source, const char *file)
             scan.z_m[k] = top - scan.z_m[k];
         good = room ? lay(source, file, at, count, scan.z_m) : scene_source_memory(source);
     }
-    free(room);
-    scan_free(&scan);
-    free(path);
     return good;
 }
 
@@ -196,7 +194,7 @@ static size_t place(const double *at, size_t count, double value)
 static bool lay_rows(struct scene_source *source, const char *file, const double *column[3], size_t rows)
 {
     size_t count[2];
-    double *room = calloc(3 * rows, sizeof *room);
+    OWNED(memory_free) double *room = calloc(3 * rows, sizeof *room);
     if (!room)
         return scene_source_memory(source);
     double *at[2] = {room, room + rows}, *value = room + 2 * rows;
@@ -212,7 +210,6 @@ static bool lay_rows(struct scene_source *source, const char *file, const double
     good = good ? lay(source, file, at, count, value)
                 : SHAPE_FAIL(source, "'%s' has %zu places, no grid of x and y; give each x with each y",
                              scene_words_show(file).text, rows);
-    free(room);
     return good;
 }
 
@@ -222,14 +219,12 @@ static bool take_parts(struct scene_source *source, const char *file, const doub
     const double area_m2 = source->scene->nominal_area_m2;
     struct joint *joint = &source->scene->joint;
     struct shape_field *field = &joint->fields[joint->field_count++];
-    size_t *order = calloc(rows, sizeof *order);
+    OWNED(memory_free) size_t *order = calloc(rows, sizeof *order);
     double sum = 0;
     *field = (struct shape_field){
         .nx = rows, .value = calloc(rows, sizeof *field->value), .share = calloc(rows, sizeof *field->share)};
-    if (!order || !field->value || !field->share) {
-        free(order);
+    if (!order || !field->value || !field->share)
         return scene_source_memory(source);
-    }
     gsl_sort_index(order, column[1], 1, rows);
     for (size_t k = 0; k < rows; k++) {
         size_t from = order[rows - 1 - k];
@@ -238,7 +233,6 @@ static bool take_parts(struct scene_source *source, const char *file, const doub
         field->mean += field->value[k] * field->share[k];
         sum += field->share[k];
     }
-    free(order);
     return sum <= 1 + balance || SHAPE_FAIL(source, "the areas of '%s' are %g m2 together, the nominal one %g m2",
                                             scene_words_show(file).text, sum * area_m2, area_m2);
 }
@@ -249,7 +243,7 @@ static bool take_columns(struct scene_source *source, const char *file, const st
     size_t rows = read->count;
     const bool parts = unit_of(&read->units[0].unit, UNIT_AREA);
     const int columns = parts ? 2 : 3;
-    double *room = calloc(3 * rows, sizeof *room);
+    OWNED(memory_free) double *room = calloc(3 * rows, sizeof *room);
     const double *column[3] = {room, room + rows, room + 2 * rows};
     bool good = room || scene_source_memory(source);
     for (int c = 0; good && c < columns; c++) {
@@ -269,7 +263,6 @@ static bool take_columns(struct scene_source *source, const char *file, const st
         }
     }
     good = good && (parts ? take_parts(source, file, column, rows) : lay_rows(source, file, column, rows));
-    free(room);
     return good;
 }
 
@@ -278,17 +271,15 @@ static bool read_pressure(struct scene_source *source, const char *file)
     static const unsigned quantities[MEASURED_COLUMNS] = {UNIT_DISTANCE | UNIT_AREA, UNIT_DISTANCE | UNIT_PRESSURE,
                                                           UNIT_PRESSURE};
     const struct joint *joint = &source->scene->joint;
-    struct measured_file read = {0};
+    OWNED(measured_file_free) struct measured_file read = {0};
     struct status problem = {0};
-    char *path = scene_file_path(source->scene, file);
+    OWNED(memory_free) char *path = scene_file_path(source->scene, file);
     bool good = path && measured_file_take(&read, path, path, quantities, &problem) == STATUS_OK;
     good = !path  ? scene_source_memory(source)
            : good ? take_columns(source, file, &read)
                   : SHAPE_FAIL(source, "%s", problem.message);
     if (good && !(joint->fields[joint->field_count - 1].mean > 0))
         good = SHAPE_FAIL(source, "'%s' presses nowhere", scene_words_show(file).text);
-    measured_file_free(&read);
-    free(path);
     return good;
 }
 

@@ -72,11 +72,10 @@ static bool add_files(struct scene_source *source, struct scene_files *files, co
     size_t before = files->count, line = scene_source_line(node);
     struct scene_words_shown shown = scene_words_show(file);
     struct stat info;
-    char *path = scene_file_path(source->scene, file);
+    OWNED(memory_free) char *path = scene_file_path(source->scene, file);
     if (!path)
         return scene_source_memory(source);
     int failed = stat(path, &info), reason = errno;
-    free(path);
     if (!failed || !strpbrk(file, "*?[")) {
         if (scene_files_add(files, file, source->status) != STATUS_OK)
             return false;
@@ -106,10 +105,9 @@ bool scene_surfaces_files(struct scene_source *source, const struct scene_key *k
     if (!count_files(source, count, line))
         return false;
     for (size_t i = 0; i < count; i++) {
-        char *file = NULL;
+        OWNED(memory_free) char *file = NULL;
         const yaml_node_t *item = scene_source_item(source, value, i);
         bool good = scene_source_text(source, key, item, &file) && add_files(source, field, item, file);
-        free(file);
         if (!good)
             return false;
     }

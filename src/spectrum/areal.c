@@ -57,7 +57,7 @@ static double mean_square_slope(const double *flat_m, size_t count, size_t step,
 enum status_code areal_parameters_of(struct areal_parameters *out, const struct scan *scan, struct status *status)
 {
     const size_t count = scan->nx * scan->ny;
-    double *flat_m = malloc(count * sizeof *flat_m);
+    OWNED(memory_free) double *flat_m = malloc(count * sizeof *flat_m);
     if (!flat_m)
         return status_memory(status);
     if (areal_flatten(flat_m, scan, status) == STATUS_OK) {
@@ -72,7 +72,6 @@ enum status_code areal_parameters_of(struct areal_parameters *out, const struct 
                  mean_square_slope(flat_m, count, scan->nx, scan->ny, scan->dy_m)),
         };
     }
-    free(flat_m);
     return status->code;
 }
 
@@ -141,7 +140,7 @@ static enum status_code add_row(struct rows *rows, const struct scan *scan, size
 static enum status_code add_spectrum(struct areal *out, const struct scan *scan, size_t y, struct status *status)
 {
     struct profile profile;
-    struct spectrum spectrum = {0};
+    OWNED(spectrum_free) struct spectrum spectrum = {0};
     struct status refused = {0};
     if (profile_make(&profile, scan, y, &profile_defaults, &refused) == STATUS_OK &&
         spectrum_compute(&spectrum, profile.height_m, profile.points, profile.spacing_m,
@@ -149,7 +148,6 @@ static enum status_code add_spectrum(struct areal *out, const struct scan *scan,
         power_law_scans_add(&out->scans, profile.height_m, profile.points, profile.spacing_m, profile.digit_m,
                             &refused) == STATUS_OK)
         (void)!grid_average(&out->spectrum, &spectrum, out->scans.scan_count - 1, &refused);
-    spectrum_free(&spectrum);
     profile_free(&profile);
     return refused.code == STATUS_MEMORY ? status_memory(status) : STATUS_OK;
 }

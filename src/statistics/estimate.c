@@ -56,7 +56,7 @@ enum status_code estimate_make(struct estimate *out, const double *value, const 
 {
     struct interval interval;
     bool known = count > 0;
-    double *own = malloc((count + 1) * sizeof *own);
+    OWNED(memory_free) double *own = malloc((count + 1) * sizeof *own);
     *out = estimate_none;
     out->logarithmic = logarithmic;
     if (!own)
@@ -71,7 +71,6 @@ enum status_code estimate_make(struct estimate *out, const double *value, const 
         if (interval_scans(&interval, own, weight, count, estimate_level, status) == STATUS_OK)
             *out = from_interval(&interval, logarithmic);
     }
-    free(own);
     return status->code;
 }
 

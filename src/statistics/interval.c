@@ -33,7 +33,7 @@ enum status_code interval_scans(struct interval *out, const double *value, const
                                 double level, struct status *status)
 {
     assert(count >= 2);
-    struct weighted *sorted = malloc(count * sizeof *sorted);
+    OWNED(memory_free) struct weighted *sorted = malloc(count * sizeof *sorted);
     if (!sorted)
         return status_memory(status);
     for (size_t i = 0; i < count; i++)
@@ -47,7 +47,6 @@ enum status_code interval_scans(struct interval *out, const double *value, const
     mean = origin + mean / total;
     for (size_t i = 0; i < count; i++)
         squares += sorted[i].weight * (sorted[i].value - mean) * (sorted[i].value - mean);
-    free(sorted);
     *out = (struct interval){.count = count, .mean = mean, .effective = total};
     out->degrees = (double)(count - 1);
     out->sd = sqrt(squares / out->degrees);

@@ -31,7 +31,7 @@ struct ranking ranking_welch(const struct interval *a, const struct interval *b,
 
 enum status_code ranking_holm(double *adjusted, const double *p, size_t count, struct status *status)
 {
-    size_t *order = calloc(count + 1, sizeof *order);
+    OWNED(memory_free) size_t *order = calloc(count + 1, sizeof *order);
     if (!order)
         return status_memory(status);
     gsl_sort_index(order, p, 1, count);
@@ -40,7 +40,6 @@ enum status_code ranking_holm(double *adjusted, const double *p, size_t count, s
         largest = fmax(largest, fmin(1, (double)(count - r) * p[order[r]]));
         adjusted[order[r]] = largest;
     }
-    free(order);
     return STATUS_OK;
 }
 
