@@ -84,9 +84,10 @@ void number_format_range(struct text *out, double least_value, double most_value
 
 enum { MOST_DIGITS = 17 };
 
-/** 17 digits of `size` as an integer, and the decimal exponent of the first; 0 where rounding leaves the last one open.
- * Powers of ten up to 27 are exact in 64 bits; four roundings err by 2^-64 each, together by .022 of a digit. */
-static uint64_t digits_of(int *exponent, double size)
+/** The digits of `size` as an integer, `count` of them, and the decimal exponent of the first; 0 where rounding leaves
+ * the last one open. Powers of ten up to 27 are exact in 64 bits; four roundings err by 2^-64 each, together by .022 of
+ * a 17th digit. */
+static uint64_t digits_of(int *exponent, double size, int count)
 {
     enum { EXACT = 27, REACH = 40 };
     static const long double ten_to[EXACT + 1] = {1e0L,  1e1L,  1e2L,  1e3L,  1e4L,  1e5L,  1e6L,  1e7L,  1e8L,  1e9L,
@@ -95,50 +96,35 @@ static uint64_t digits_of(int *exponent, double size)
     int binary;
     (void)frexp(size, &binary);
     *exponent = (int)floor((binary - 1) * (M_LN2 / M_LN10)); /* it, or one less */
-    int scale = 16 - *exponent;
+    int scale = count - 1 - *exponent;
     if (LDBL_MANT_DIG < 64 || !(size > 0) || !isfinite(size) || scale > REACH || scale < -EXACT)
         return 0;
     long double scaled = scale > EXACT ? size * ten_to[EXACT] * ten_to[scale - EXACT]
                          : scale >= 0  ? size * ten_to[scale]
                                        : size / ten_to[-scale];
-    if (scaled >= ten_to[17]) {
+    if (scaled >= ten_to[count]) {
         scaled /= 10;
         ++*exponent;
     }
     uint64_t digits = (uint64_t)scaled;
-    double rest = (double)(scaled - (long double)digits);
-    if (fabs(rest - 0.5) < 0.03 || !(scaled > ten_to[16] + 1) || !(scaled < ten_to[17] - 1))
+    long double rest = scaled - (long double)digits;
+    if (fabsl(rest - 0.5L) < 3e-19L * ten_to[count] || scaled < ten_to[count - 1] || !(scaled < ten_to[count] - 1))
         return 0;
-    return digits + (rest > 0.5);
-}
-
-/** Those digits rounded to `count`; 0 where the ones left out do not say which way. */
-static uint64_t rounded(int *exponent, uint64_t digits, int count)
-{
-    uint64_t step = 1, most = 1;
-    for (int k = 0; k < MOST_DIGITS; k++)
-        *(k < count ? &most : &step) *= 10;
-    const uint64_t rest = digits % step, out = digits / step + (2 * rest > step);
-    if (step > 1 && 2 * rest + 2 >= step && 2 * rest <= step + 2)
-        return 0;
-    *exponent += out == most;
-    return (out == most ? out / 10 : out) * step;
+    return digits + (rest > 0.5L);
 }
 
 void number_digits(struct text *out, double value, int digits_wanted)
 {
-    int exponent, count = MOST_DIGITS;
-    uint64_t digits = digits_of(&exponent, fabs(value));
+    int exponent, count = digits_wanted;
+    uint64_t digits = digits_of(&exponent, fabs(value), count);
     char digit[MOST_DIGITS], line[48], *to = line;
-    if (digits > 0)
-        digits = rounded(&exponent, digits, digits_wanted);
     if (digits == 0) {
         text_add(out, "%.*g", digits_wanted, value);
         return;
     }
     uint32_t part[] = {(uint32_t)(digits / 100000000), (uint32_t)(digits % 100000000)}; /* divided faster than all */
-    for (int k = MOST_DIGITS; k-- > 0; part[k > 8] /= 10)
-        digit[k] = (char)('0' + part[k > 8] % 10);
+    for (int k = count; k-- > 0; part[k + 8 >= count] /= 10)
+        digit[k] = (char)('0' + part[k + 8 >= count] % 10);
     while (digit[count - 1] == '0')
         count--;
     bool plain = exponent >= -4 && exponent < digits_wanted;
