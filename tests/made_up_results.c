@@ -249,12 +249,10 @@ void made_up_again(struct made_up *made)
     comparison_free(&made->comparison);
     json_decref(made->view);
     expect_ok(comparison_make, &made->comparison, &made->results);
-    json_t *claims = NULL, *headline = NULL;
+    json_auto_t *claims = NULL, *headline = NULL;
     expect_ok(claims_make, &claims, &made->results, &made->comparison, support_words());
     expect_ok(claims_headline, &headline, &made->results, &made->comparison, support_words());
     expect_ok(view_make, &made->view, &made->results, &made->comparison, headline, claims, &drawn, support_words());
-    json_decref(claims);
-    json_decref(headline);
 }
 
 void made_up_make(struct made_up *made, void (*change)(struct surface_record *record, size_t index))

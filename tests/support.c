@@ -229,7 +229,7 @@ struct table table_read_path(const char *path)
     if (!file)
         fail_msg("cannot open %s", path);
     struct table table = {0};
-    char *line = NULL;
+    OWNED(memory_free) char *line = NULL;
     size_t capacity = 0, lines = 0;
     while (getline(&line, &capacity, file) > 0) {
         line[strcspn(line, "\r\n")] = '\0';
@@ -245,7 +245,6 @@ struct table table_read_path(const char *path)
             table.cell[lines * table.columns + c] = strsep(&rest, ",");
         lines++;
     }
-    free(line);
     fclose(file);
     assert_true(lines > 1);
     table.rows = lines - 1;

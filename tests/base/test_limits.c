@@ -462,7 +462,8 @@ TEST_CASE(test_compared_values)
 /* Adds what a template makes of `list`, an item a number. */
 static void expect_filled(const char *source, const char *partial, size_t items, bool over, enum limit limit)
 {
-    json_t *view = json_object(), *list = json_array(), *partials = json_pack("{s:s}", "p", partial);
+    json_auto_t *view = json_object(), *partials = json_pack("{s:s}", "p", partial);
+    json_t *list = json_array();
     struct mustache how = {view, NULL, from_object, partials};
     struct text *out = support_text();
     struct status status = {0};
@@ -474,8 +475,6 @@ static void expect_filled(const char *source, const char *partial, size_t items,
         fail_msg("'%s' at the limit '%s'", status.message, limit_rows[limit].name);
     if (over)
         expect_limit(status.message, limit);
-    json_decref(view);
-    json_decref(partials);
 }
 
 TEST_CASE(test_templates)

@@ -108,6 +108,7 @@ TEST_IN_DIRECTORY(parts_come_from_the_folder)
     expect_ok(text_write_file, directory_path(place, "here/nul.md"), "a\0b", 3);
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         struct status status = {0};
+        OWNED(mustache_folder_free)
         struct mustache_folder folder = {directory_path(place, "here"), ".md", NULL, &status};
         const char *part = mustache_folder_partial(&folder, cases[i].name);
         if (cases[i].part)
@@ -116,14 +117,14 @@ TEST_IN_DIRECTORY(parts_come_from_the_folder)
             assert_null(part);
             assert_non_null(strstr(status.message, cases[i].error));
         }
-        mustache_folder_free(&folder);
     }
 }
 
 TEST_CASE(own_cases_hold)
 {
     for (size_t i = 0; i < sizeof own_cases / sizeof *own_cases; i++) {
-        json_t *data = support_json(own_cases[i].data), *partials = json_pack("{s:s}", "p", own_cases[i].partial);
+        json_t *data = support_json(own_cases[i].data);
+        json_auto_t *partials = json_pack("{s:s}", "p", own_cases[i].partial);
         struct mustache how = {data, escape_html, from_object, partials};
         struct text *out = support_text();
         struct status status = {0};
@@ -143,6 +144,5 @@ TEST_CASE(own_cases_hold)
             assert_int_equal(rc, STATUS_USAGE);
             assert_non_null(strstr(status.message, own_cases[i].error));
         }
-        json_decref(partials);
     }
 }

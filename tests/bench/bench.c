@@ -96,7 +96,7 @@ static struct direct_result direct_case(size_t n, double hardness)
     struct status status = {0};
     struct direct_contact contact;
     struct direct_contact_load load = {.mean_pressure = 1e-4, .hardness = hardness, .tolerance = 1e-6};
-    double *height_m = malloc(n * n * sizeof *height_m);
+    OWNED(memory_free) double *height_m = malloc(n * n * sizeof *height_m);
     if (!height_m)
         exit(1);
     must(direct_surface_make(height_m, n, &(struct direct_recipe){direct_spectrum_variance, &spectrum, NULL, 0}, 1,
@@ -113,7 +113,6 @@ static struct direct_result direct_case(size_t n, double hardness)
     result.bytes_a_point = (bytes_held() - before) / (double)(n * n);
     direct_contact_free(&contact);
     direct_spectrum_free(&spectrum);
-    free(height_m);
     return result;
 }
 
@@ -202,7 +201,7 @@ static double shape_seconds(size_t n, double bulge_m)
     const double side_m[2] = {20e-3, 20e-3};
     const struct shape_body bodies[2] = {{1. / 170, INFINITY}, {1. / 170, INFINITY}};
     double pressure_Pa[POINTS], gap_m[POINTS], conductance[POINTS], resistance, spots;
-    double *field_m = malloc(n * n * sizeof *field_m);
+    OWNED(memory_free) double *field_m = malloc(n * n * sizeof *field_m);
     struct shape shape;
     struct shape_curve gap, ways;
     struct status status = {0};
@@ -228,7 +227,6 @@ static double shape_seconds(size_t n, double bulge_m)
     shape_free(&shape);
     shape_curve_free(&gap);
     shape_curve_free(&ways);
-    free(field_m);
     return seconds;
 }
 

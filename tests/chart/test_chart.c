@@ -63,10 +63,9 @@ static const char *script_of(struct chart *chart, const char *terminal_size)
 {
     struct text *out = support_text();
     struct status status = {0};
-    struct mustache_folder folder = TEMPLATES(&status);
+    OWNED(mustache_folder_free) struct mustache_folder folder = TEMPLATES(&status);
     if (chart_script(out, chart, &folder, terminal_size) != STATUS_OK)
         fail_msg("%s", status.message);
-    mustache_folder_free(&folder);
     return text_string(out);
 }
 
@@ -75,13 +74,12 @@ static const char *draw(const struct directory *place, struct chart *chart)
 {
     struct status status = {0};
     struct gnuplot gnuplot;
-    struct mustache_folder folder = TEMPLATES(&status);
+    OWNED(mustache_folder_free) struct mustache_folder folder = TEMPLATES(&status);
     if (chart_write(chart, &folder, place->path) != STATUS_OK ||
         gnuplot_start(&gnuplot, place->path, &status) != STATUS_OK)
         fail_msg("%s", status.message);
     gnuplot_send(&gnuplot, filled("load '%s.gp'\n", chart->name));
     expect_ok(gnuplot_finish, &gnuplot);
-    mustache_folder_free(&folder);
     const char *svg = directory_read(place, filled("%s.svg", chart->name));
     assert_well_formed(svg);
     return svg;
@@ -350,12 +348,11 @@ TEST_CASE(a_script_that_is_not_there_is_an_error)
     struct text *out = support_text();
     struct status status = {0};
     const double points[][2] = {{1, 1}, {2, 2}};
-    struct mustache_folder folder = {"/no-such-folder", ".gp", NULL, &status};
+    OWNED(mustache_folder_free) struct mustache_folder folder = {"/no-such-folder", ".gp", NULL, &status};
     chart_panel(&chart, "", "x", "y", false, false);
     line(&chart, "one", points, 2);
     assert_int_equal(chart_script(out, &chart, &folder, NULL), STATUS_IO);
     assert_non_null(strstr(status.message, "/no-such-folder/charts/panels.gp"));
-    mustache_folder_free(&folder);
     chart_free(&chart);
 }
 

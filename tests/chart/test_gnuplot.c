@@ -109,7 +109,7 @@ TEST_IN_DIRECTORY(test_the_user_s_setup_has_no_say)
 {
     directory_write(place, ".gnuplot", "print 'start-up file'\n");
     const char *home = getenv("HOME");
-    char *kept = home ? strdup(home) : NULL;
+    OWNED(memory_free) char *kept = home ? strdup(home) : NULL;
     setenv("HOME", place->path, 1);
     setenv("GNUTERM", "nonsense", 1);
     setenv("GNUPLOT_LIB", place->path, 1);
@@ -120,7 +120,6 @@ TEST_IN_DIRECTORY(test_the_user_s_setup_has_no_say)
     unsetenv("GNUPLOT_LIB");
     if (kept)
         setenv("HOME", kept, 1);
-    free(kept);
     if (code)
         fail_msg("%s", status.message);
 }

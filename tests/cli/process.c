@@ -212,7 +212,8 @@ static int by_name(const FTSENT **a, const FTSENT **b)
 /** Walks everything below `path`; adds names and contents to `hash` (NULL: none) and counts names with `prefix`. */
 static size_t walk(const char *place, const char *path, struct hash *hash, const char *prefix)
 {
-    char *root = strdup(directory_path(place, path)), *roots[] = {root, NULL};
+    OWNED(memory_free) char *root = strdup(directory_path(place, path));
+    char *roots[] = {root, NULL};
     FTS *tree = fts_open(roots, FTS_PHYSICAL | FTS_NOCHDIR, by_name);
     size_t count = 0, start = strlen(root), found = 0;
     assert_non_null(tree);
@@ -226,13 +227,11 @@ static size_t walk(const char *place, const char *path, struct hash *hash, const
         hash_add(hash, entry->fts_path + start, strlen(entry->fts_path + start) + 1);
         if (entry->fts_info != FTS_F)
             continue;
-        struct text content = {0};
+        OWNED(text_free) struct text content = {0};
         expect_ok(text_read_file, &content, entry->fts_path);
         hash_add(hash, text_string(&content), content.length + 1);
-        text_free(&content);
     }
     fts_close(tree);
-    free(root);
     assert_true(count > 0);
     return found;
 }
@@ -310,10 +309,9 @@ static int expect_numbers_in(const char *path, const struct stat *info, int type
         return 0;
     if (access(filled("%s/templates/%s", PROJECT_SOURCE, path + level->base), F_OK) == 0)
         return 0; /* gnuplot's NaN, as in the templates */
-    struct text content = {0};
+    OWNED(text_free) struct text content = {0};
     expect_ok(text_read_file, &content, path);
     process_expect_numbers(text_string(&content), path);
-    text_free(&content);
     files_seen++;
     return 0;
 }

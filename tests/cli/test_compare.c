@@ -9,10 +9,9 @@ HARD_CASES("Reports that others made")
 static double at(const json_t *view, const char *path, const char *expected)
 {
     view = json_at(view, path);
-    char *dumped = json_dumps(view, JSON_ENCODE_ANY);
+    OWNED(memory_free) char *dumped = json_dumps(view, JSON_ENCODE_ANY);
     if (expected && strcmp(dumped ? dumped : "", expected) != 0)
         fail_msg("%s is %s", path, dumped);
-    free(dumped);
     return json_number_value(view);
 }
 

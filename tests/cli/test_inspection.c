@@ -174,12 +174,11 @@ TEST_CASE(test_roughness_profile)
     assert_int_equal(with.filtered.sampling_lengths, 6); /* and half of one at either end */
     assert_memory_equal(with.primary.value, without.primary.value, sizeof with.primary.value);
     assert_true(parameter_named(&with.filtered, "q") < parameter_named(&with.primary, "q"));
-    json_t *object = inspection_json("nist_npl_edm.xml", &with);
+    json_auto_t *object = inspection_json("nist_npl_edm.xml", &with);
     CHECK_FIGURES(object, {8e-4, "parameters.lambda_c_m", 1, 1e-12}, {0.55994e-6, "parameters.Pq", 1, 1e-5},
                   {parameter_named(&with.filtered, "q"), "parameters.Rq", 1, 0});
     assert_true(json_is_null(json_at(object, "parameters.lambda_s_m")));
     assert_string_equal(json_text_at(object, "parameters.slope"), "7-point");
-    json_decref(object);
     inspection_free(&without);
     inspection_free(&with);
 }

@@ -103,7 +103,8 @@ TEST_CASE(faults_do_not)
         {"1/direct/0/solutions/0/ecr_ohm_m2", "7", "/direct/0/solutions/0/ecr_ohm_m2: type"}};
     for (size_t f = 0; f < sizeof faults / sizeof *faults; f++) {
         char fault[TEXT] = "", names[TEXT], *rest = names + 2, *name;
-        json_t *copy = json_deep_copy(results[*faults[f][0] - '0']), *at = copy;
+        json_auto_t *copy = json_deep_copy(results[*faults[f][0] - '0']);
+        json_t *at = copy;
         snprintf(names, sizeof names, "%s", faults[f][0]);
         while ((name = strsep(&rest, "/")) && rest)
             at = json_is_array(at) ? json_array_get(at, strtoul(name, NULL, 10)) : json_object_get(at, name);
@@ -112,7 +113,6 @@ TEST_CASE(faults_do_not)
             json_object_set_new(at, name, json_loads(faults[f][1], JSON_DECODE_ANY, NULL));
         assert_false(holds(schema, copy, "", fault));
         assert_string_equal(fault, faults[f][2]);
-        json_decref(copy);
     }
 }
 

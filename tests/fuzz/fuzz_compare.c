@@ -11,7 +11,7 @@ void fuzz_compare(const uint8_t *data, size_t length)
     size_t first = between ? (size_t)(between - bytes) : length, second = between ? first + 1 : 0;
     char a[256], b[256], *paths[] = {a, b};
     json_t *view;
-    struct text shown = {0};
+    OWNED(text_free) struct text shown = {0};
     struct status status = {0};
     snprintf(a, sizeof a, "%s/a", place);
     snprintf(b, sizeof b, "%s/b", place);
@@ -27,7 +27,6 @@ void fuzz_compare(const uint8_t *data, size_t length)
                      STATUS_OK);
         FUZZ_REQUIRE(shown.length > 0);
     }
-    text_free(&shown);
     json_decref(view);
     fuzz_count("compare", code == STATUS_OK);
 }

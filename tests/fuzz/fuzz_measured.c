@@ -35,7 +35,7 @@ static bool material(const struct text *text)
 {
     struct scene scene;
     struct status status = {0};
-    struct text whole = {0};
+    OWNED(text_free) struct text whole = {0};
     text_add(&whole, "material: ");
     text_add_bytes(&whole, text_string(text), text->length);
     enum status_code code =
@@ -46,7 +46,6 @@ static bool material(const struct text *text)
     } else
         FUZZ_REQUIRE(code == STATUS_SCENE && *status.message && !strchr(status.message, '\n'));
     scene_free(&scene);
-    text_free(&whole);
     return code == STATUS_OK;
 }
 
@@ -57,7 +56,7 @@ static bool pressure(const struct text *text)
     const struct directory directory = directory_make();
     struct scene scene;
     struct status status = {0};
-    struct text whole = {0};
+    OWNED(text_free) struct text whole = {0};
     text_add(&whole, "%s", line);
     FUZZ_REQUIRE(text_write_file(directory_path(&directory, "f.csv"), text_string(text), text->length, &status) ==
                  STATUS_OK);
@@ -70,7 +69,6 @@ static bool pressure(const struct text *text)
     } else
         FUZZ_REQUIRE(code == STATUS_SCENE && *status.message && !strchr(status.message, '\n'));
     scene_free(&scene);
-    text_free(&whole);
     directory_remove(&directory);
     return code == STATUS_OK;
 }
@@ -78,7 +76,7 @@ static bool pressure(const struct text *text)
 void fuzz_measured(const uint8_t *bytes, size_t length)
 {
     const char *kind = length > 0 && *bytes ? strchr(kinds, *bytes) : NULL;
-    struct text text = {0};
+    OWNED(text_free) struct text text = {0};
     struct sidecar sidecar;
     if (!kind)
         return;
@@ -88,5 +86,4 @@ void fuzz_measured(const uint8_t *bytes, size_t length)
                 : *kind == 'P' ? pressure(&text)
                                : measured(&text, *kind == 'E' ? SCENE_MEASURED_ECR : SCENE_MEASURED_TCR);
     fuzz_count(names[kind - kinds], good);
-    text_free(&text);
 }

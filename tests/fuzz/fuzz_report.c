@@ -27,13 +27,12 @@ enum status_code __wrap_gnuplot_start(struct gnuplot *out, const char *directory
 void __wrap_gnuplot_send(struct gnuplot *gnuplot, const char *commands)
 {
     char name[64];
-    struct text path = {0};
+    OWNED(text_free) struct text path = {0};
     struct status status = {0};
     (void)gnuplot;
     FUZZ_REQUIRE(sscanf(commands, "load '%63[a-z0-9-].gp'", name) == 1);
     text_add(&path, "%s/%s.svg", figures, name);
     FUZZ_REQUIRE(text_write_file(text_string(&path), "<svg/>", 6, &status) == STATUS_OK);
-    text_free(&path);
 }
 
 enum status_code __wrap_gnuplot_finish(struct gnuplot *gnuplot, struct status *status)
@@ -79,7 +78,7 @@ static void put(const char *name, const char *bytes, size_t length)
 static void require_numbers(const char *name)
 {
     static const char *const words[] = {"nan", "inf", "infinity"};
-    struct text text = {0};
+    OWNED(text_free) struct text text = {0};
     struct status status = {0};
     FUZZ_REQUIRE(text_read_file(&text, directory_path(place, name), &status) == STATUS_OK);
     for (const char *at = text_string(&text); *at;) {
@@ -91,7 +90,6 @@ static void require_numbers(const char *name)
         at += length ? length : 1;
     }
     FUZZ_REQUIRE(text.length > 0);
-    text_free(&text);
 }
 
 static bool report(const struct scene *scene)
@@ -132,11 +130,11 @@ void fuzz_report(const uint8_t *bytes, size_t length)
                                           "auto"};
     struct scene scene;
     struct status status = {0};
-    struct text text = {0};
+    OWNED(text_free) struct text text = {0};
     make_place();
     chosen = 0;
     memcpy(&chosen, bytes + (length > CHOICES ? length - CHOICES : 0), length > CHOICES ? CHOICES : length);
-    char *file = fuzz_file((const char *)bytes, &length);
+    OWNED(memory_free) char *file = fuzz_file((const char *)bytes, &length);
     put("scan.dat", file, length);
     put("again.dat", file, length);
     wild_scene(&text, quick, below, SIZE_MAX);
@@ -147,6 +145,4 @@ void fuzz_report(const uint8_t *bytes, size_t length)
     FUZZ_REQUIRE(code == STATUS_OK || (code == STATUS_SCENE && *status.message));
     fuzz_count("report", code == STATUS_OK && report(&scene));
     scene_free(&scene);
-    text_free(&text);
-    free(file);
 }

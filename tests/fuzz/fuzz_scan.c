@@ -47,7 +47,7 @@ static struct text pack_zip(const char *at, const char *end)
 
 char *fuzz_file(const char *bytes, size_t *length)
 {
-    struct text packed = {0};
+    OWNED(text_free) struct text packed = {0};
     if (*length > 4 && memcmp(bytes, "zip:", 4) == 0)
         packed = pack_zip(bytes + 4, bytes + *length);
     else if (*length > 3 && memcmp(bytes, "gz:", 3) == 0)
@@ -59,7 +59,6 @@ char *fuzz_file(const char *bytes, size_t *length)
     if (*length > 0)
         memcpy(copy, from, *length);
     copy[*length] = '\0';
-    text_free(&packed);
     return copy;
 }
 
@@ -72,15 +71,13 @@ void fuzz_scan(const uint8_t *bytes, size_t length)
         options.z_column = 2;
     }
     const char *only = getenv("ROUGHCONTACT_FUZZ_FORMAT"); /* one reader alone */
-    char *copy = fuzz_file((const char *)bytes, &length);
+    OWNED(memory_free) char *copy = fuzz_file((const char *)bytes, &length);
     const struct scan_bytes file = {copy, length, "file.dat"};
     const char *format = format_of(&(struct scan_file){.bytes = copy, .length = length, .path = file.path}, true).name;
     bool any = false;
     size_t parts = 0;
-    if (only && (!format || strcmp(format, only) != 0)) {
-        free(copy);
+    if (only && (!format || strcmp(format, only) != 0))
         return;
-    }
     (void)scan_is_other(&file, true);
     do {
         struct scan scan;
@@ -99,5 +96,4 @@ void fuzz_scan(const uint8_t *bytes, size_t length)
         scan_free(&scan);
     } while (options.entry > 0 && ++parts < MOST_PARTS);
     fuzz_count(format ? format : "none", any);
-    free(copy);
 }

@@ -10,7 +10,7 @@ static void require_sound(const struct scene *scene)
     for (size_t i = 0; i < scene->surface_count; i++) {
         const struct scene_surface *surface = &scene->surfaces[i];
         struct material_pair pair = scene_pair(&surface->bodies);
-        double *loads = malloc((scene->load.points + 1) * sizeof *loads);
+        OWNED(memory_free) double *loads = malloc((scene->load.points + 1) * sizeof *loads);
         size_t operating;
         FUZZ_REQUIRE(surface->name && surface->files.count > 0);
         for (size_t other = 0; other < i; other++)
@@ -20,7 +20,6 @@ static void require_sound(const struct scene *scene)
         FUZZ_REQUIRE(count > 0 && operating < count);
         for (size_t k = 0; k < count; k++)
             FUZZ_REQUIRE(isfinite(loads[k]) && loads[k] > (k > 0 ? loads[k - 1] : 0));
-        free(loads);
     }
 }
 
@@ -28,7 +27,7 @@ void fuzz_scene(const uint8_t *bytes, size_t length)
 {
     struct scene scene;
     struct status status = {0};
-    struct text text = {0};
+    OWNED(text_free) struct text text = {0};
     text_add_bytes(&text, (const char *)bytes, length);
     enum status_code code =
         scene_read(&scene, TEST_DATA "/scene/full", &(struct scene_overrides){.text = &text}, &status);
@@ -38,5 +37,4 @@ void fuzz_scene(const uint8_t *bytes, size_t length)
         FUZZ_REQUIRE(code == STATUS_SCENE && *status.message && !strchr(status.message, '\n'));
     fuzz_count("scene", code == STATUS_OK);
     scene_free(&scene);
-    text_free(&text);
 }

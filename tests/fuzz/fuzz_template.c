@@ -30,16 +30,13 @@ void fuzz_template(const uint8_t *bytes, size_t length)
         atexit(free_view);
     }
     const struct mustache how = {view, text_add_markdown_shown, some_partial, NULL};
-    struct text source = {0}, out = {0};
+    OWNED(text_free) struct text source = {0}, out = {0};
     struct status status = {0};
     text_add_bytes(&source, (const char *)bytes, length);
-    char *exact = strdup(text_string(&source)); /* its end where AddressSanitizer sees it passed */
+    OWNED(memory_free) char *exact = strdup(text_string(&source)); /* its end where AddressSanitizer sees it passed */
     FUZZ_REQUIRE(exact);
     enum status_code code = mustache_render(&out, exact, "template", &how, &status);
     FUZZ_REQUIRE(code == STATUS_OK || code == STATUS_USAGE);
     FUZZ_REQUIRE(code == STATUS_OK || (*status.message && !strchr(status.message, '\n')));
     fuzz_count("template", code == STATUS_OK);
-    free(exact);
-    text_free(&source);
-    text_free(&out);
 }

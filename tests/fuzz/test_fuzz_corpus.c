@@ -65,12 +65,11 @@ static void run(const struct text *bytes, fuzz_target *target, size_t versions)
     for (size_t k = 1; k < versions / 4; k++)
         target(data, bytes->length * k / (versions / 4));
     for (size_t i = versions / 4; i < versions; i++) {
-        struct text text = {0};
+        OWNED(text_free) struct text text = {0};
         text_add_bytes(&text, text_string(bytes), bytes->length);
         for (size_t changes = 1 + below(&seed, 3); changes > 0 && text.length > 0; changes--)
             change(&text, &seed);
         target((const uint8_t *)text_string(&text), text.length);
-        text_free(&text);
     }
 }
 
@@ -80,11 +79,10 @@ static size_t replay(const char *pattern, fuzz_target *target, size_t versions)
     glob_t files;
     assert_int_equal(glob(pattern, 0, NULL, &files), 0);
     for (size_t i = 0; i < files.gl_pathc; i++) {
-        struct text bytes = {0};
+        OWNED(text_free) struct text bytes = {0};
         expect_ok(text_read_file, &bytes, files.gl_pathv[i]);
         fprintf(stderr, "%s\n", strrchr(files.gl_pathv[i], '/') + 1); /* the last of these is the one that aborted */
         run(&bytes, target, versions);
-        text_free(&bytes);
     }
     size_t count = files.gl_pathc;
     globfree(&files);

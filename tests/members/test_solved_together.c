@@ -53,7 +53,7 @@ TEST_CASE(maps)
 /** A strip and its surrogates. */
 TEST_CASE(strips)
 {
-    double *height_m = heights(2 * SIDE, 4);
+    OWNED(memory_free) double *height_m = heights(2 * SIDE, 4);
     const struct strip_rows rows = {height_m, 4, 2 * SIDE, 1e-6, false, NULL, 0};
     struct strip one, many;
     expect_ok(strip_solve, &one, &rows, STRIP_SURROGATES, &test_alone);
@@ -62,5 +62,4 @@ TEST_CASE(strips)
         assert_memory_equal(&one, &many, sizeof one);
     }
     assert_true(one.surrogates == STRIP_SURROGATES && one.transforms > 0);
-    free(height_m);
 }

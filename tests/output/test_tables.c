@@ -411,12 +411,10 @@ TEST_CASE(test_every_kind_of_field)
         FIELD(COUNT, "count", count, JSON),      FIELD(FLAG, "flag", flag, JSON),
         FIELD(NUMBER, "elsewhere", number, CSV), {0}};
 #undef FIELD
-    json_t *json = record_json(fields, &record),
-           *expected = json_pack("{s:f, s:n, s:n, s:[f, n], s:s, s:n, s:i, s:b}", "number", 1.5, "none", "endless",
-                                 "pair", 1.0, "text", "a\\x01", "missing", "count", 3, "flag", true);
+    json_auto_t *json = record_json(fields, &record),
+                *expected = json_pack("{s:f, s:n, s:n, s:[f, n], s:s, s:n, s:i, s:b}", "number", 1.5, "none", "endless",
+                                      "pair", 1.0, "text", "a\\x01", "missing", "count", 3, "flag", true);
     assert_true(json_equal(json, expected));
-    json_decref(json);
-    json_decref(expected);
 }
 
 /* JSON has the bytes that jansson gives it. */
@@ -425,16 +423,14 @@ TEST_CASE(test_json_is_as_jansson_prints_it)
     static const double numbers[] = {0,      -0.0,    1,      -2,    0.1,    1.0 / 3, 1e-7,  -1.5e-7,  1e16,
                                      1e17,   1e22,    2.5e30, 1e100, 1e-45,  1e-4,    1e-5,  123456.5, 6.02214076e23,
                                      1e-300, DBL_MAX, 1e-10,  1e10,  5e-324, 100,     7e-20, 0.5};
-    json_t *json = json_pack("{s:s, s:[], s:{}, s:n, s:b, s:i, s:{s:[[s], {s:s}]}, s:o}", "text \"\\\n", "µ\x01\"",
-                             "none", "nothing", "null", "flag", 1, "count", -7, "deep", "er", "a", "b", "ü", "numbers",
-                             json_numbers(numbers, sizeof numbers / sizeof *numbers));
+    json_auto_t *json = json_pack("{s:s, s:[], s:{}, s:n, s:b, s:i, s:{s:[[s], {s:s}]}, s:o}", "text \"\\\n", "µ\x01\"",
+                                  "none", "nothing", "null", "flag", 1, "count", -7, "deep", "er", "a", "b", "ü",
+                                  "numbers", json_numbers(numbers, sizeof numbers / sizeof *numbers));
     struct text *text = support_text();
-    char *expected = json_dumps(json, JSON_INDENT(1) | JSON_REAL_PRECISION(17));
+    OWNED(memory_free) char *expected = json_dumps(json, JSON_INDENT(1) | JSON_REAL_PRECISION(17));
     assert_true(json_text(text, json));
     assert_string_equal(text_string(text), expected);
     assert_false(json_text(text, NULL));
-    free(expected);
-    json_decref(json);
 }
 
 /* Nothing that was not called for leaves a column, a row or a file. */
@@ -453,10 +449,9 @@ TEST_CASE(test_what_does_not_run_leaves_nothing)
         {"models: [statistical]\nconvergence: {scales: 9}\n", NULL, "gw jg", true, false},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        struct text scene = {0};
+        OWNED(text_free) struct text scene = {0};
         text_add(&scene, "material: tin\n%s", cases[i].scene);
         directory_write(*state, "few/scene.yaml", text_string(&scene));
-        text_free(&scene);
         assert_int_equal(pipeline_run(*state, "few", "out-few", 1), 0);
         struct table contact = directory_table(*state, "out-few/data/contact.csv");
         struct table surfaces = directory_table(*state, "out-few/data/surfaces.csv");

@@ -287,13 +287,12 @@ TEST_CASE(random_markdown)
             seed = seed * 6364136223846793005u + 1442695040888963407u;
             text_add(markdown, "%s", parts[(seed >> 33) % (sizeof parts / sizeof *parts)]);
         }
-        struct text page = {0};
+        OWNED(text_free) struct text page = {0};
         render(&page, text_string(markdown));
         const char *text = text_string(&page);
         expect_no_parts(text, "<script", "<img src", "href=\"javascript");
         for (size_t i = 0; i < sizeof pairs / sizeof *pairs; i++)
             if (times(text, pairs[i][0]) != times(text, pairs[i][1]))
                 fail_msg("%s without %s: %s", pairs[i][0], pairs[i][1], text_string(markdown));
-        text_free(&page);
     }
 }

@@ -204,9 +204,8 @@ TEST_CASE(test_absolute_file)
                                           {"some/", "../a.csv", "some/../a.csv"},
                                           {"some/", DATA("full/a.csv"), DATA("full/a.csv")}};
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        char *path = scene_file_path(&(struct scene){.directory = (char *)rows[i][0]}, rows[i][1]);
+        OWNED(memory_free) char *path = scene_file_path(&(struct scene){.directory = (char *)rows[i][0]}, rows[i][1]);
         assert_string_equal(path, rows[i][2]);
-        free(path);
     }
 }
 
@@ -411,7 +410,7 @@ TEST_CASE(test_platings_and_fillers_by_name)
 
 TEST_CASE(test_titles)
 {
-    char *before = getcwd(NULL, 0);
+    OWNED(memory_free) char *before = getcwd(NULL, 0);
     assert_int_equal(chdir(DATA("full/..")), 0);
     static const char *const paths[][2] = {{"bare", "bare"},
                                            {"bare/", "bare"},
@@ -427,7 +426,6 @@ TEST_CASE(test_titles)
         assert_string_equal(scene->title, paths[i][1]);
     }
     assert_int_equal(chdir(before), 0);
-    free(before);
 }
 
 TEST_CASE(test_targets_and_limits)

@@ -10,7 +10,8 @@ static void lay_out(const struct directory *directory, const char *files)
 {
     static const char units[] = "x unit: mm\nz unit: nm\n", json[] = "{\"X1_FACTOR\": 0.001, \"Y1_FACTOR\": 1e-9}",
                       numbers[] = "x unit: mm\nz unit: nm\n0 1\n1 2\n2 1\n";
-    char *all = strdup(files), *rest = all;
+    OWNED(memory_free) char *all = strdup(files);
+    char *rest = all;
     for (char *name; (name = strsep(&rest, "|"));) {
         char *kind = strchr(name, '=');
         if (kind)
@@ -27,7 +28,6 @@ static void lay_out(const struct directory *directory, const char *files)
                             : *kind == 'T' ? "words\n"
                                            : numbers);
     }
-    free(all);
 }
 
 /* Each surface's name and files, behind one another. */

@@ -99,8 +99,8 @@ static void count(struct tally *tally, const struct kind *kind, const struct cov
 
 static double run(FILE *out, const struct kind *kind, size_t sets, gsl_rng *random)
 {
-    double *height = coverage_allocate(kind->points, sizeof *height);
-    struct power_law_band *band = coverage_allocate(1, sizeof *band);
+    OWNED(memory_free) double *height = coverage_allocate(kind->points, sizeof *height);
+    OWNED(memory_free) struct power_law_band *band = coverage_allocate(1, sizeof *band);
     struct tally tally = {0};
     for (size_t set = 0; set < sets; set++) {
         struct coverage_surface surface = kind->surface;
@@ -126,8 +126,6 @@ static double run(FILE *out, const struct kind *kind, size_t sets, gsl_rng *rand
                 (double)tally.amplitude_68 / found, (double)tally.amplitude_95 / found);
     }
     fprintf(out, "%*s%s\n", kind->expected == NO_GAMMA ? 49 : 7, "", kind->published);
-    free(height);
-    free(band);
     return right;
 }
 

@@ -9,9 +9,11 @@
 static void run(FILE *out, size_t points, double gamma, size_t scans, size_t sets, const char *published,
                 gsl_rng *random)
 {
+    OWNED(memory_free)
     double *height = coverage_allocate(points, sizeof *height), *error = coverage_allocate(sets, sizeof *error);
+    OWNED(memory_free)
     double *square = coverage_allocate(points, sizeof *square), *mean = coverage_allocate(points, sizeof *mean);
-    struct power_law_band *band = coverage_allocate(1, sizeof *band);
+    OWNED(memory_free) struct power_law_band *band = coverage_allocate(1, sizeof *band);
     const struct coverage_surface surface = {.gamma = gamma};
     const double all_m[2] = {0, INFINITY};
     double s = 0, amplitude = 0, total = (double)sets, inside[4] = {0};
@@ -37,11 +39,6 @@ static void run(FILE *out, size_t points, double gamma, size_t scans, size_t set
     fprintf(out, "N %4zu gamma %.1f M %2zu  %+.3f %.4f %.4f  %.2f/%.2f  %+.3f  %.2f/%.2f   %s\n", points, gamma, scans,
             coverage_mean(error, sets), coverage_sd(error, sets), s, inside[0], inside[1], amplitude, inside[2],
             inside[3], published);
-    free(height);
-    free(error);
-    free(square);
-    free(mean);
-    free(band);
 }
 
 void coverage_fit(FILE *out, size_t sets)

@@ -67,7 +67,8 @@ void coverage_level(double *height, size_t points)
 
 void coverage_answers(double answer[COVERAGE_ANSWERS], const double *height, size_t points)
 {
-    double *level = coverage_allocate(points, sizeof *level), sum[COVERAGE_ANSWERS] = {0};
+    OWNED(memory_free) double *level = coverage_allocate(points, sizeof *level);
+    double sum[COVERAGE_ANSWERS] = {0};
     memcpy(level, height, points * sizeof *level);
     coverage_level(level, points);
     for (size_t i = 0; i < points; i++) {
@@ -77,7 +78,6 @@ void coverage_answers(double answer[COVERAGE_ANSWERS], const double *height, siz
         sum[1] += slope * slope;
         sum[2] += curvature * curvature;
     }
-    free(level);
     for (size_t a = 0; a < COVERAGE_ANSWERS; a++)
         answer[a] = log(sum[a] / (double)(points - a));
 }

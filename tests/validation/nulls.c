@@ -86,13 +86,12 @@ static void write_scan(const struct directory *place, const char *name, size_t n
                        double stretch)
 {
     char file[32];
-    struct text text = {0};
+    OWNED(text_free) struct text text = {0};
     text_add(&text, "x [um],z [nm]\n");
     for (size_t i = 0; i < SIDE / 2; i++)
         text_add(&text, "%zu,%.9g\n", i, stretch * z[i * step] * 1e9);
     snprintf(file, sizeof file, "%s/%zu.csv", name, number);
     directory_write(place, file, text_string(&text));
-    text_free(&text);
 }
 
 /** `count` scans of a half, from its edge, or (0) a map of the middle of its left or right half. */
@@ -100,7 +99,7 @@ static void write_half(const struct directory *place, const char *name, const do
                        const struct set *set, double stretch)
 {
     char file[32];
-    struct text text = {0};
+    OWNED(text_free) struct text text = {0};
     const size_t count = set->scans[half], row = (size_t)half * SIDE / 2;
     for (size_t r = 0; r < count; r++) {
         size_t at = (2 * r + 1) * SIDE / 2 / (2 * count);
@@ -122,13 +121,12 @@ static void write_half(const struct directory *place, const char *name, const do
     snprintf(file, sizeof file, "%s/map.gsf", name);
     directory_write(place, file, "");
     expect_ok(text_write_file, directory_path(place, file), text.data, text.length);
-    text_free(&text);
 }
 
 /** `across`: scans 3 to 5 of a and c run along. */
 static void write_scene(const struct directory *place, double hardness, bool across)
 {
-    struct text scene = {0};
+    OWNED(text_free) struct text scene = {0};
     double hardness_Pa = 1e11 * gradient * (isinf(hardness) ? 10 : hardness);
     text_add(&scene, "material: {E: 100 GPa, nu: 0, Sy: %.17g, resistivity: %g ohm m, hardness: %.17g}\n",
              hardness_Pa / material_hardness_ratio, resistivity_ohm_m, hardness_Pa);
@@ -139,7 +137,6 @@ static void write_scene(const struct directory *place, double hardness, bool acr
         text_add(&scene, "%s  - {name: %c, file: '%c/[0-2].csv', along: '%c/[3-5].csv'}\n",
                  *name == 'a' ? "surfaces:\n" : "", *name, *name, *name);
     directory_write(place, "scene.yaml", text_string(&scene));
-    text_free(&scene);
 }
 
 /** Pairs of answers that are told apart, of those that there are. */
@@ -230,11 +227,10 @@ static bool family_apart(const struct directory *place)
 static void write_family(const struct directory *place, const struct kind *kind, uint64_t seed)
 {
     for (size_t k = 0; k < MEMBERS / SCANS_EACH; k++) {
-        double *height_m = make_surface(kind, seed * MEMBERS + k);
+        OWNED(memory_free) double *height_m = make_surface(kind, seed * MEMBERS + k);
         for (size_t r = 0; r < SCANS_EACH; r++)
             write_scan(place, (const char[]){(char)('a' + k * SCANS_EACH + r), 0}, 0,
                        height_m + r * SIDE / SCANS_EACH * SIDE, 1, 1);
-        free(height_m);
     }
 }
 
@@ -264,7 +260,7 @@ static void run(struct count out[HARDNESSES], const struct kind *kind, const str
 {
     for (size_t k = 0; k < each; k++) {
         struct directory place = directory_make();
-        double *height_m = make_surface(kind, k);
+        OWNED(memory_free) double *height_m = make_surface(kind, k);
         for (size_t half = 0; half < 2; half++)
             for (size_t right = 0; right < (set->scans[half] > 0 ? 1 : MAPS); right++)
                 write_half(&place, (const char[]){(char)('a' + MAPS * half + right), 0}, height_m, (int)half, right,
@@ -274,7 +270,6 @@ static void run(struct count out[HARDNESSES], const struct kind *kind, const str
             hold(&out[h], &place);
         }
         directory_remove(&place);
-        free(height_m);
     }
 }
 

@@ -59,7 +59,8 @@ static double by_cells(const struct shape_curve *gap, const struct shape_curve *
 
 void shapes_add(struct page *page)
 {
-    double *rough_m = coverage_allocate(2 * SIDE * SIDE, sizeof *rough_m), *height_m = rough_m + SIDE * SIDE, sum = 0;
+    OWNED(memory_free) double *rough_m = coverage_allocate(2 * SIDE * SIDE, sizeof *rough_m);
+    double *height_m = rough_m + SIDE * SIDE, sum = 0;
     double truth[BULGES][PRESSED] = {{0}}, off[BULGES][PRESSED] = {{0}};
     for (int seed = 0; seed < SEEDS; seed++) {
         struct direct_point point[NODES], bulged[PRESSED];
@@ -106,5 +107,4 @@ void shapes_add(struct page *page)
             page_number(page, fabs(off[b][i] - 1), 0.1);
             text_add(&page->text, "\n");
         }
-    free(rough_m);
 }

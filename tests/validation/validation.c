@@ -138,7 +138,8 @@ static void give_law(double *height_m, size_t law)
 /** A surface of rms gradient `gradient`, SIDE x SIDE; ratio 0: isotropic, of a given law of heights to the letter. */
 static double *make_surface(size_t law, double hurst, double roll_off, double ratio, uint64_t seed)
 {
-    double *height_m = coverage_allocate(GIVEN, sizeof *height_m), *given = coverage_allocate(GIVEN, sizeof *given);
+    double *height_m = coverage_allocate(GIVEN, sizeof *height_m);
+    OWNED(memory_free) double *given = coverage_allocate(GIVEN, sizeof *given);
     double m2 = 0;
     struct direct_law rows = {1, hurst + 0.5, cut_off_m, SIDE * spacing_m, roll_off};
     struct direct_spectrum spectrum;
@@ -156,7 +157,6 @@ static double *make_surface(size_t law, double hurst, double roll_off, double ra
         expect_ok(direct_surface_make, height_m, SIDE, &recipe, seed);
     }
     direct_spectrum_free(&spectrum);
-    free(given);
     return height_m;
 }
 
@@ -199,7 +199,7 @@ static void write_lines(const struct directory *place, struct text *scene, const
 static void write_scans(const struct directory *place, const double *height_m, const struct part *part, double hardness,
                         bool turned)
 {
-    struct text scene = {0};
+    OWNED(text_free) struct text scene = {0};
     double hardness_Pa = 1e11 * gradient * (isinf(hardness) ? 10 : hardness);
     text_add(&scene, "material: {E: 100 GPa, nu: 0, Sy: %.17g, resistivity: %g ohm m, hardness: %.17g}\n",
              hardness_Pa / material_hardness_ratio, resistivity_ohm_m, hardness_Pa);
@@ -215,7 +215,6 @@ static void write_scans(const struct directory *place, const double *height_m, c
         write_lines(place, &scene, turned ? "file" : "along", height_m, part, true);
     text_add(&scene, "}]\n");
     directory_write(place, "scene.yaml", text_string(&scene));
-    text_free(&scene);
 }
 
 /** What was found of one number; model model_count + 1: by direct solution of a synthesis. */
@@ -372,7 +371,8 @@ static void add_row(struct page *page, const char *name, const struct findings *
 /** How many truths lie beyond a model's interval (model_count: the leading answer's), and its median half width. */
 static void add_intervals(struct page *page, const struct findings *findings, size_t model, double bound)
 {
-    double *half_width = coverage_allocate(findings->count + 1, sizeof *half_width), median[ASKED];
+    OWNED(memory_free) double *half_width = coverage_allocate(findings->count + 1, sizeof *half_width);
+    double median[ASKED];
     for (size_t a = 0; a < ASKED; a++) {
         size_t count = 0, beyond = 0;
         for (size_t k = 0; k < findings->count; k++) {
@@ -390,7 +390,6 @@ static void add_intervals(struct page *page, const struct findings *findings, si
             text_add(&page->text, " – |");
     }
     text_add(&page->text, " %.1f %.1f %.1f |\n", median[0], median[1], median[2]);
-    free(half_width);
 }
 
 /** Of the intervals that two models have of one number, the share that do not overlap. */
@@ -448,14 +447,13 @@ static void run(struct findings *out, const struct part *part)
     for (size_t law = 0; law < part->laws; law++)
         for (size_t k = 0; k < part->each; k++) {
             double waves = part->roll_off * (k < 12 ? 1 : 2);
-            double *height_m = make_surface(law, hursts[k % HURSTS], waves, part->ratio, 1 + k);
+            OWNED(memory_free) double *height_m = make_surface(law, hursts[k % HURSTS], waves, part->ratio, 1 + k);
             for (size_t h = 0; h < part->hardnesses || h == 0; h++) {
                 struct direct_point truth[LOADS];
                 double hardness = part->hardnesses > 0 ? hardnesses[h] : INFINITY;
                 solve(truth, height_m, hardness);
                 hold(out, height_m, part, law, hardness, k % 2, truth);
             }
-            free(height_m);
         }
 }
 
@@ -501,7 +499,7 @@ static void add_tables(struct page *page, const struct findings *findings)
 int main(int count, char **word)
 {
     struct findings findings[PARTS] = {0};
-    struct text template = {0};
+    OWNED(text_free) struct text template = {0};
     if (count != 2)
         return 2;
     expect_ok(text_read_file, &template, PROJECT_SOURCE "/tests/validation/page.md");
@@ -521,6 +519,5 @@ int main(int count, char **word)
     for (size_t p = 0; p < PARTS; p++)
         free(findings[p].all);
     text_free(&page.text);
-    text_free(&template);
     return page.outside > 0;
 }
