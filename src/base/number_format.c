@@ -71,15 +71,16 @@ void number_format_uncertain(struct text *out, double value, double error)
     }
 }
 
-void number_format_range(struct text *out, double least_value, double most_value, int digits, const char *between)
+bool number_format_range(struct text *out, double least_value, double most_value, int digits, const char *between)
 {
     OWNED(text_free) struct text low = {0}, high = {0};
     const bool first = isfinite(least_value), last = isfinite(most_value);
     number_format(&low, first ? least_value : most_value, digits);
     number_format(&high, last ? most_value : least_value, digits);
+    const bool differ = strcmp(text_string(&low), text_string(&high)) != 0;
     text_add(out, "%s%s", first == last ? "" : first ? "≥\u00a0" : "≤\u00a0", text_string(&low));
-    if (strcmp(text_string(&low), text_string(&high)) != 0)
-        text_add(out, "%s%s", between, text_string(&high));
+    text_add(out, "%s%s", differ ? between : "", differ ? text_string(&high) : "");
+    return differ || first != last;
 }
 
 enum { MOST_DIGITS = 17 };

@@ -13,8 +13,8 @@ void number_format_uncertain(struct text *out, double value, double error);
 /** "10⁻⁵". */
 void number_power_of_ten(struct text *out, int exponent);
 /** "least to most" with " to " between, one number when both are the same to the digits shown, "≥ least" or "≤ most"
- * when the other one is not finite. */
-void number_format_range(struct text *out, double least, double most, int digits, const char *between);
+ * when the other one is not finite. True: it is more than one number. */
+bool number_format_range(struct text *out, double least, double most, int digits, const char *between);
 
 /** `value` as "%.*g" prints it with 1 ... 17 digits, in a third of the time, which is most of the time of large tables
  * and charts. */

@@ -46,10 +46,8 @@ void view_range(json_t *out, const char *name, double least, double most)
 
 bool view_interval(json_t *out, double low, double high, const char *between)
 {
-    const bool both = isfinite(low) && isfinite(high);
     OWNED(text_free) struct text shown = {0};
-    number_format_range(&shown, low, high, 2, between);
-    const bool told = both ? strstr(text_string(&shown), between) != NULL : isfinite(low) || isfinite(high);
+    const bool told = number_format_range(&shown, low, high, 2, between);
     if (told)
         json_object_set_new(out, "interval", json_string(text_string(&shown)));
     return told;
