@@ -7,8 +7,8 @@
 #include "joint/heating.h"
 #include "output/record.h"
 #include "results/accuracy.h"
+#include <float.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 enum { NAMED = 2 /* surfaces that one claim names */, SCANS_MOST = 50 /* that are worth advising */ };
@@ -24,6 +24,7 @@ struct claims {
     const char *key;                  /* the row's, or one of its variants */
     size_t i;                         /* the surface, target or limit that the row is asked about; else the baseline */
     double weight;                    /* a factor: within a level the largest comes first */
+    size_t others;                    /* for which the same holds, beside the one told */
     json_t *numbers, *told, *surface; /* its words are filled with its numbers, SI, and the texts told beside them */
     struct text text, markdown;
 };
@@ -49,9 +50,8 @@ struct claim_row {
     const char *level;
     bool (*when)(struct claims *c);
     enum claim_about about;
-    bool melts;                 /* heated() */
-    enum effect effect;         /* share() */
-    enum limit_verdict verdict; /* further_limit() */
+    bool melts;         /* heated() */
+    enum effect effect; /* share() */
 };
 
 /* ---- What the results say ---- */
@@ -81,6 +81,13 @@ static bool runs(const struct claims *c, enum effect effect)
 static double answer(const struct claims *c, size_t surface, enum quantity quantity)
 {
     return comparison_middle(c->results, c->leading, surface).value[quantity];
+}
+
+/** What a model answers to the first target. */
+static const struct answer *answer_of(const struct claims *c, size_t surface, size_t model)
+{
+    return &summary_of(c, surface)
+                ->answers[(size_t)(c->asked.target - c->results->scene->targets) * model_count + model];
 }
 
 /** Does a filler's bond line keep the metals apart where the summary stands? */
@@ -133,11 +140,6 @@ static void put(struct claims *c, const char *name, double value)
     json_set(c->numbers, name, value);
 }
 
-static void put_range(struct claims *c, const char *name, double low, double high)
-{
-    json_set_all(c->numbers, name, (const double[]){low, high}, 2);
-}
-
 /** Numbers in a unit or with digits of the run's: "low to high", or one where both look the same; results.json gets
  * `numbers`. */
 static void put_shown(struct claims *c, const char *name, json_t *numbers, const double shown[2], int digits,
@@ -166,11 +168,21 @@ static void put_load(struct claims *c, const char *name, size_t surface, double 
     put_number(c, name, load, load * as.scale, digits, as.unit[0] ? as.unit : "E′Aₙ");
 }
 
-static void put_asked(struct claims *c, const char *name, const struct scene_asked *asked)
+/** The name of what is asked for, or (not `own`) of a quantity that it is made from. */
+static void put_quantity(struct claims *c, bool own, enum quantity quantity)
+{
+    put_text(c, "quantity",
+             words_say(c->words, own ? "%s" : "asked.%s", own ? c->asked.name : quantity_rows[quantity].name));
+}
+
+/** A target or a limit, with its symbol and sign. */
+static void put_asked(struct claims *c, const struct scene_asked *asked)
 {
     char text[UNIT_LENGTH + 20];
     asked_text(text, sizeof text, asked->text);
-    put_text(c, name, text);
+    put_text(c, "asked", text);
+    put_text(c, "symbol", asked->symbol);
+    put_text(c, "sign", asked->is_most ? "≤" : "≥");
 }
 
 static void put_surface(struct claims *c, size_t surface)
@@ -194,25 +206,48 @@ static bool put_names(struct claims *c, const struct named *named)
     return named->count > 0;
 }
 
-/** What surfaces are ordered by: the load that the target needs, else the answer; less is better. */
-static double cost_of(const struct claims *c, size_t surface)
+/** What surfaces are ordered by: the load that a target needs, without one the answer; less is better. */
+static double cost_of(const struct claims *c, const struct scene_asked *target, size_t surface)
 {
-    const struct known known = known_shown(c->results, &c->asked, c->asked.target, surface);
-    const bool more = !c->asked.target && c->asked.more_is_better;
+    const struct known known = known_shown(c->results, &c->asked, target, surface);
+    const bool more = !target && c->asked.more_is_better;
     if (known.kind == KNOWN_NOTHING || known.kind == (more ? KNOWN_AT_MOST : KNOWN_MORE_THAN))
         return INFINITY;
     return more ? -known.value : known.value;
 }
 
 /** The surface that costs least, of several such the first; or most, the last. */
-static size_t best_or_worst(const struct claims *c, bool worst)
+static size_t best_or_worst(const struct claims *c, const struct scene_asked *target, bool worst)
 {
     size_t out = usable(c, 0);
     for (size_t k = 1; k < c->results->usable_count; k++) {
-        const double own = cost_of(c, usable(c, k)), found = cost_of(c, out);
+        const double own = cost_of(c, target, usable(c, k)), found = cost_of(c, target, out);
         out = (worst ? own >= found : own < found) ? usable(c, k) : out;
     }
     return out;
+}
+
+/** The load that a target needs, without one the answer, in words; false: nothing is known. */
+static bool put_known(struct claims *c, const struct scene_asked *target, size_t surface)
+{
+    const struct known known = known_shown(c->results, &c->asked, target, surface);
+    const struct asked_load load = asked_load_of(c->results, surface);
+    OWNED(text_free) struct text value = {0}, interval = {0};
+    const bool is = known.kind == KNOWN_VALUE, has = number_format_range(&interval, known.low, known.high, 2, "–");
+    const char *const kind = known.kind == KNOWN_AT_MOST       ? "most"
+                             : known.kind == KNOWN_MORE_THAN   ? "more"
+                             : known.measured && !known.beyond ? "measured"
+                             : has && !known.beyond            ? "interval"
+                                                               : "is";
+    number_format(&value, known.value, is ? known_digits(&known) : 3);
+    put_surface(c, surface);
+    put_text(c, "known",
+             words_say(c->words, "known.%s\nvalue %s\ninterval %s\nunit\t%s", kind, text_string(&value),
+                       text_string(&interval),
+                       !target        ? c->asked.unit
+                       : load.unit[0] ? load.unit
+                                      : "E′Aₙ"));
+    return known.kind != KNOWN_NOTHING;
 }
 
 /* ---- What stops a reader ---- */
@@ -229,7 +264,6 @@ static bool refused(struct claims *c)
         if (out > 0)
             add_name(&on, i);
     }
-    c->key = files == 1 ? "refused-one" : "refused";
     put_count(c, "count", files);
     put_count(c, "all", all);
     return put_names(c, &on);
@@ -268,12 +302,10 @@ static double spots_on(const struct claims *c, size_t surface)
                             : fmin(at.value[QUANTITY_SPOT_DENSITY], alike.density_per_m2);
     if (c->asked.target) {
         const struct known load = known_load(c->results, c->asked.target, surface);
-        const size_t t = (size_t)(c->asked.target - c->results->scene->targets);
         if (load.kind != KNOWN_VALUE && load.kind != KNOWN_AT_MOST)
             return NAN;
         per_m2 *= load.value / results_operating_load(c->results, surface);
-        per_m2 =
-            counted ? per_m2 : fmin(per_m2, summary_of(c, surface)->answers[t * model_count + c->leading].spots_per_m2);
+        per_m2 = counted ? per_m2 : fmin(per_m2, answer_of(c, surface, c->leading)->spots_per_m2);
     }
     return per_m2 * c->results->scene->nominal_area_m2;
 }
@@ -281,8 +313,7 @@ static double spots_on(const struct claims *c, size_t surface)
 static bool few_spots(struct claims *c)
 {
     const struct extent spots = extent_of(c, spots_on, answers_least_spots);
-    c->key = spots.most < 1 ? "few-spots-one" : "few-spots";
-    put_range(c, "spots", fmax(spots.least, 1), fmax(spots.most, 1));
+    put(c, "spots", fmax(spots.most, 1)); /* fewer carry nothing */
     return put_names(c, &spots.on);
 }
 
@@ -329,30 +360,17 @@ static bool heated(struct claims *c)
     return voltage_V >= limit_V && (c->row->melts || !molten(c, c->i));
 }
 
-/** Does a filler, which has a thickness of its own, fill the gaps? */
-static bool has_filler(const struct claims *c)
-{
-    const struct joint *joint = &c->results->scene->joint;
-    return runs(c, EFFECT_GAP) && joint->fill == JOINT_MEDIUM && !joint->gas;
-}
-
+/** Does a filler of a thickness of its own keep the metals apart, or have none that is known? */
 static bool bond_line(struct claims *c)
-{
-    const struct joint *joint = &c->results->scene->joint;
-    put(c, "line", joint->bond_line_m);
-    put(c, "most", joint->conductivity_W_per_mK / joint->bond_line_m);
-    return has_filler(c) && nothing_touches(c, c->i);
-}
-
-static bool bond_line_missing(struct claims *c)
 {
     static const double usual_m = 50e-6;
     const struct joint *joint = &c->results->scene->joint;
-    put_surface(c, c->i);
+    const bool missing = !(joint->bond_line_m > 0);
+    c->key = missing ? "bond-line-missing" : "bond-line";
+    put(c, "line", missing ? usual_m : joint->bond_line_m);
+    put(c, "most", joint->conductivity_W_per_mK / (missing ? usual_m : joint->bond_line_m));
     put(c, "gap", answer(c, c->i, QUANTITY_SEPARATION));
-    put(c, "usual", usual_m);
-    put(c, "most", joint->conductivity_W_per_mK / usual_m);
-    return has_filler(c) && !(joint->bond_line_m > 0);
+    return runs(c, EFFECT_GAP) && joint->fill == JOINT_MEDIUM && !joint->gas && (missing || nothing_touches(c, c->i));
 }
 
 static bool loads_short(struct claims *c)
@@ -368,28 +386,14 @@ static bool measured(struct claims *c)
     if (!results_measured(c->results, c->i))
         return false;
     const struct estimate *fit = &c->results->answers[c->i].fit;
-    const double factor = estimate_value(fit), low = estimate_end(fit, 0), high = estimate_end(fit, 1);
-    const int digits = known_digits(&(struct known){.kind = KNOWN_VALUE, .value = factor, .low = low, .high = high});
-    c->key = "measured-elsewhere";
-    if (fit->count == 0)
-        return true;
-    put_number(c, "factor", factor, factor, digits, "");
-    const double ends[] = {low, high};
-    if (isfinite(low) && isfinite(high)) /* a single point has none */
-        put_shown(c, "interval", json_numbers(ends, 2), ends, digits, "");
-    put_text(c, "quantity", words_say(c->words, "asked.%s", quantity_rows[results_measured_quantity(c->results)].name));
-    c->key = "measured-beside";
-    const struct known value = known_value(c->results, c->asked.quantity, c->i),
-                       load = c->asked.target ? known_load(c->results, c->asked.target, c->i)
-                                              : (struct known){.kind = KNOWN_NOTHING};
-    if (!value.measured)
-        return true;
-    c->key = value.beyond || load.beyond ? "measured-beyond" : "measured";
-    if (value.beyond || load.beyond || load.kind != KNOWN_VALUE || !load.measured)
-        return true;
-    c->key = "measured-target";
-    put_asked(c, "target", c->asked.target);
-    put_load(c, "load", c->i, load.value, 3);
+    const double ends[] = {estimate_end(fit, 0), estimate_end(fit, 1)};
+    const struct known factor = {.kind = KNOWN_VALUE, .value = estimate_value(fit), .low = ends[0], .high = ends[1]};
+    put_number(c, "factor", factor.value, factor.value, known_digits(&factor), "");
+    if (isfinite(ends[0]) && isfinite(ends[1])) /* a single point has none */
+        put_shown(c, "interval", json_numbers(ends, 2), ends, known_digits(&factor), "");
+    put_quantity(c, false, results_measured_quantity(c->results));
+    c->key = known_value(c->results, c->asked.quantity, c->i).measured ? "measured" : "measured-beside";
+    c->key = fit->count > 0 ? c->key : "measured-elsewhere";
     return true;
 }
 
@@ -401,21 +405,6 @@ static bool not_flat(struct claims *c)
     put(c, "exponent", exponent->measured);
     put(c, "model", exponent->model);
     return exponent->not_flat;
-}
-
-/** Is the area load over hardness on all surfaces? Then they cannot differ in it. */
-static bool area_pressed(struct claims *c)
-{
-    if (c->asked.quantity != QUANTITY_AREA || c->results->usable_count < 2)
-        return false;
-    for (size_t k = 0; k < c->results->usable_count; k++) {
-        const struct contact_point at = comparison_middle(c->results, c->leading, usable(c, k));
-        const struct material_pair *pair = results_pair(c->results, usable(c, k));
-        const double ratio = material_pair_pressure(pair, at.value[QUANTITY_LOAD]) / pair->hardness_Pa;
-        if (!model_area_is_pressed(model_rows[c->leading], &at, ratio))
-            return false;
-    }
-    return true;
 }
 
 /** Is heat asked for that also goes through gaps? */
@@ -431,16 +420,14 @@ static bool ranking_holds(const struct claims *c)
 {
     const struct comparison *ranking = c->comparison;
     const bool rises = quantity_rows[ranking->criterion].is & QUANTITY_RISES;
-    if (ranking->count < 2 || gaps_conduct(c))
-        return false;
-    const double best = answer(c, ranking->surface[0], ranking->criterion);
-    for (size_t k = 0; k < c->results->usable_count; k++) {
-        const double value = answer(c, usable(c, k), ranking->criterion);
+    bool holds = ranking->count > 1 && !gaps_conduct(c);
+    for (size_t k = 0; holds && k < c->results->usable_count; k++) {
+        const double value = answer(c, usable(c, k), ranking->criterion),
+                     best = answer(c, ranking->surface[0], ranking->criterion);
         const struct known known = known_value(c->results, c->asked.quantity, usable(c, k));
-        if (known.measured || known.kind > KNOWN_VALUE || (rises ? value > best : value < best))
-            return false;
+        holds = !known.measured && known.kind <= KNOWN_VALUE && !(rises ? value > best : value < best);
     }
-    return true;
+    return holds;
 }
 
 /** Do the surfaces differ significantly? */
@@ -449,7 +436,7 @@ static bool rank(struct claims *c)
     const struct comparison *ranking = c->comparison;
     struct named like = {0};
     double p = 1; /* the least of those alike */
-    if (!ranking_holds(c) || area_pressed(c))
+    if (!ranking_holds(c))
         return false;
     for (size_t j = 1; j < ranking->count; j++) {
         const struct comparison_pair *pair = comparison_pair_of(ranking, 0, j);
@@ -459,10 +446,7 @@ static bool rank(struct claims *c)
         add_name(&like, ranking->surface[j]);
     }
     p = like.count > 0 ? p : comparison_pair_of(ranking, 0, 1)->p;
-    const bool joint = quantity_of_joint(ranking->criterion);
-    put_text(
-        c, "quantity",
-        words_say(c->words, joint ? "%s" : "rank.%s", joint ? c->asked.name : quantity_rows[ranking->criterion].name));
+    put_quantity(c, quantity_of_joint(ranking->criterion), ranking->criterion);
     put_surface(c, ranking->surface[0]);
     put_text(c, "next", name_of(c, ranking->surface[1]));
     (void)put_names(c, &like);
@@ -471,10 +455,7 @@ static bool rank(struct claims *c)
     text_add(&shown, p < 0.01 ? "<\u00a0" : like.count > 1 ? "≥\u00a0" : "=\u00a0");
     number_format(&shown, fmin(fmax(p, 0.01), like.count > 1 ? 0.99 : 1), 2);
     put_text(c, "p", text_string(&shown));
-    c->key = like.count == 0                   ? "best"
-             : like.count + 1 < ranking->count ? "same-some"
-             : ranking->count == 2             ? "same-two"
-                                               : "same";
+    c->key = like.count == 0 ? "best" : like.count > 1 && like.count + 1 == ranking->count ? "same" : "same-some";
     return true;
 }
 
@@ -482,43 +463,41 @@ static bool rank(struct claims *c)
 static bool further_target(struct claims *c)
 {
     const struct scene_asked *target = &c->results->scene->targets[c->i];
-    struct claims of = *c;
-    of.asked.target = target;
-    const size_t on = best_or_worst(&of, false);
-    const struct known load = known_load(c->results, target, on),
-                       shown = known_shown(c->results, &of.asked, target, on);
-    put_asked(c, "target", target);
-    put_text(c, "symbol", target->symbol);
-    const bool has = load.kind == KNOWN_VALUE && (isfinite(load.low) || isfinite(load.high));
-    c->key = isinf(cost_of(&of, on))      ? "target-never"
-             : load.kind == KNOWN_AT_MOST ? "target-most"
-             : has                        ? "target"
-                                          : "target-alone";
-    if (target == c->asked.target || isinf(cost_of(&of, on)))
-        return target != c->asked.target;
-    put_surface(c, on);
-    put_load(c, "load", on, load.value, known_digits(&shown));
-    const double ends[][2] = {{load.low, load.high}, {shown.low, shown.high}};
-    if (has)
-        put_shown(c, "interval", json_numbers(ends[0], 2), ends[1], 2, "");
-    return true;
+    const size_t on = best_or_worst(c, target, false);
+    const struct known load = known_load(c->results, target, on);
+    put_asked(c, target);
+    if (isinf(cost_of(c, target, on)))
+        c->key = "target-never";
+    else if (put_known(c, target, on)) {
+        put(c, "load", load.value);
+        if (isfinite(load.low) || isfinite(load.high))
+            json_set_all(c->numbers, "interval", (const double[]){load.low, load.high}, 2);
+    }
+    return target != c->asked.target;
 }
 
-/** A limit that the table has no column for: the surfaces of the row's verdict; met only where all meet it. */
+/** A limit that the table has no column for, with the surfaces of each verdict. */
 static bool further_limit(struct claims *c)
 {
-    const struct scene_asked *limit = &c->results->scene->limits[c->i];
-    const enum limit_verdict verdict = c->row->verdict;
-    char text[4 * UNIT_LENGTH], unit[UNIT_LENGTH + 20];
-    struct named on = {0};
-    asked_text(unit, sizeof unit, limit->text);
-    snprintf(text, sizeof text, "%s %s %s", limit->symbol, limit->is_most ? "≤" : "≥", unit);
-    for (size_t k = 0; k < c->results->usable_count; k++)
-        if (summary_of(c, usable(c, k))->limits[c->i].verdict == verdict)
-            add_name(&on, usable(c, k));
-    put_text(c, "limit", text);
-    return put_names(c, &on) && c->i >= ASKED_LIMIT_COLUMNS &&
-           (verdict != LIMIT_MET || on.count == c->results->usable_count);
+    static const struct {
+        const char *words;
+        enum limit_verdict verdict;
+    } parts[] = {
+        {"missed", LIMIT_MISSED}, {"undecided", LIMIT_UNDECIDED}, {"no-value", LIMIT_NO_VALUE}, {"met", LIMIT_MET}};
+    put_asked(c, &c->results->scene->limits[c->i]);
+    for (size_t v = 0; v < sizeof parts / sizeof *parts; v++) {
+        struct named on = {0};
+        for (size_t k = 0; k < c->results->usable_count; k++)
+            if (summary_of(c, usable(c, k))->limits[c->i].verdict == parts[v].verdict)
+                add_name(&on, usable(c, k));
+        if (!put_names(c, &on))
+            continue;
+        put_more(c, "parts",
+                 words_say(c->words, "verdict.%s\nnames\t%s", parts[v].words,
+                           json_string_value(json_object_get(c->told, "names"))));
+        c->weight = parts[v].verdict == LIMIT_MISSED ? 2 : c->weight; /* first of the verdicts */
+    }
+    return c->i >= ASKED_LIMIT_COLUMNS;
 }
 
 /** How many more scans make an interval in ln narrower than `distance` to either side, from the standard deviation of
@@ -533,33 +512,26 @@ static size_t more_scans(double sd, double own, double distance, size_t scans)
     return 0;
 }
 
-/** The first undecided limit, on the first surface where more scans would decide it. */
+/** The first undecided limit that more scans of the surface would decide. */
 static bool scans_to_decide(struct claims *c)
 {
-    for (size_t l = 0; l < c->results->scene->limit_count; l++)
-        for (size_t k = 0; k < c->results->usable_count; k++) {
-            const struct surface_summary *s = summary_of(c, usable(c, k));
-            const struct limit_check *check = &s->limits[l];
-            const struct scene_asked *limit = &c->results->scene->limits[l];
-            const bool heats = limit->quantity == QUANTITY_TEMPERATURE; /* whose scatter is that of its voltage */
-            const struct estimate *known =
-                results_estimate(c->results, usable(c, k), heats ? QUANTITY_VOLTAGE : limit->quantity);
-            const double sd = known->count > 1 ? known->sd : known->s,
-                         around_K = c->results->scene->joint.temperature_K,
-                         ratio = heats
-                                     ? heating_voltage(check->value, around_K) / heating_voltage(limit->value, around_K)
-                                     : check->value / limit->value;
-            if (check->verdict != LIMIT_UNDECIDED || !(sd > 0) || s->has_map ||
-                known_value(c->results, limit->quantity, usable(c, k)).measured)
-                continue;
-            const size_t more = more_scans(sd, known->model_sd, fabs(log(ratio)), s->scans);
-            if (more == 0)
-                continue;
-            put_count(c, "scans", more);
-            put_surface(c, usable(c, k));
-            return true;
-        }
-    return false;
+    const struct surface_summary *s = summary_of(c, c->i);
+    const double around_K = c->results->scene->joint.temperature_K;
+    size_t more = 0;
+    for (size_t l = 0; l < c->results->scene->limit_count && more == 0; l++) {
+        const struct scene_asked *limit = &c->results->scene->limits[l];
+        const double value = s->limits[l].value;
+        const bool heats = limit->quantity == QUANTITY_TEMPERATURE; /* whose scatter is that of its voltage */
+        const struct estimate *known = results_estimate(c->results, c->i, heats ? QUANTITY_VOLTAGE : limit->quantity);
+        const double sd = known->count > 1 ? known->sd : known->s,
+                     ratio = heats ? heating_voltage(value, around_K) / heating_voltage(limit->value, around_K)
+                                   : value / limit->value;
+        if (s->limits[l].verdict == LIMIT_UNDECIDED && sd > 0 && !s->has_map &&
+            !known_value(c->results, limit->quantity, c->i).measured)
+            more = more_scans(sd, known->model_sd, fabs(log(ratio)), s->scans);
+    }
+    put_count(c, "scans", more);
+    return more > 0;
 }
 
 /* ---- How far the answer may be off ---- */
@@ -586,7 +558,7 @@ static double waves_sd(const struct claims *c, size_t surface)
     return of_answer > 0 ? of_answer * few / hypot(few, own) : quantity_of_joint(c->asked.quantity) ? 0 : few;
 }
 
-/** The widest interval of a modelled answer, and what part of its variance each cause has, the largest first. */
+/** The widest interval of a modelled answer, and what part of its variance each cause has. */
 static bool uncertainty(struct claims *c)
 {
     static const char *const names[] = {"model", "scans", "waves"};
@@ -599,18 +571,13 @@ static bool uncertainty(struct claims *c)
                                                                  : "row";
     const struct estimate *known = results_estimate(c->results, surface, c->asked.quantity);
     const double waves = pow(waves_sd(c, surface), 2);
-    double variance[] = {known->model_sd * known->model_sd - waves, known->s * known->s, waves};
-    const double all = variance[0] + variance[1] + variance[2];
+    const double variance[] = {known->model_sd * known->model_sd - waves, known->s * known->s, waves},
+                 all = variance[0] + variance[1] + waves;
     for (int n = 0; n < 3; n++) {
-        int most = 0;
-        for (int i = 1; i < 3; i++)
-            most = variance[i] > variance[most] ? i : most;
-        json_set(c->numbers, names[most], variance[most] / all);
-        if (variance[most] >= 0.03 * all)
+        put(c, names[n], variance[n] / all);
+        if (variance[n] >= 0.03 * all)
             put_more(c, "parts",
-                     words_say(c->words, "cause.%s\npercent %.0f", most == 1 ? scans : names[most],
-                               100 * variance[most] / all));
-        variance[most] = -1;
+                     words_say(c->words, "cause.%s\npercent %.0f", n == 1 ? scans : names[n], 100 * variance[n] / all));
     }
     put(c, "factor", c->weight = factor.most);
     return true;
@@ -629,17 +596,14 @@ static bool not_flat_assumed(struct claims *c)
         ((runs(c, EFFECT_GAP) && !(answer(c, c->i, QUANTITY_GAP) < 0.01 * answer(c, c->i, QUANTITY_JOINT))) ||
          (asked != QUANTITY_TCR && asked != QUANTITY_JOINT)))
         return false;
-    if (known_value(c->results, asked, c->i).measured || runs(c, EFFECT_SHAPE) || !(joint.nominal_area_m2 > 0) ||
+    if (known_value(results, asked, c->i).measured || runs(c, EFFECT_SHAPE) || !(joint.nominal_area_m2 > 0) ||
         record->summary.pair.unknown || !record->curves || !record->curves[c->leading].exists)
         return false;
     c->weight = shaped_usual_factor(&record->curves[c->leading], model_rows[c->leading], &joint,
                                     results_operating_load(results, c->i), way);
-    const double side_m = sqrt(joint.nominal_area_m2);
-    if (way == JOINT_HEAT && c->asked.reciprocal != (asked == QUANTITY_JOINT))
-        c->key = "not-flat-assumed-conductance";
     put(c, "factor", c->weight);
-    put(c, "bulge", shaped_usual_flatness * side_m);
-    put(c, "side", side_m);
+    put(c, "bulge", shaped_usual_flatness * sqrt(joint.nominal_area_m2));
+    put(c, "side", sqrt(joint.nominal_area_m2));
     return c->weight >= 1.05;
 }
 
@@ -662,9 +626,8 @@ static bool one_direction(struct claims *c)
 static bool short_scans(struct claims *c)
 {
     const struct extent sd = extent_of(c, waves_sd, INFINITY);
-    c->weight = model_factor(sd.most);
     put(c, "waves", summary_of(c, sd.at_most)->longest_waves);
-    put(c, "factor", c->weight);
+    put(c, "factor", c->weight = model_factor(sd.most));
     put_surface(c, sd.at_most);
     return c->weight >= 1.1;
 }
@@ -683,13 +646,11 @@ static bool direct(struct claims *c)
     const double value[] = {solved.value, solved.value * solved.ratio};
     static const char *const names[] = {"direct", "model"};
     put_surface(c, c->i);
-    put_text(c, "quantity",
-             words_say(c->words, own ? "%s" : "rank.%s", own ? c->asked.name : quantity_rows[quantity].name));
+    put_quantity(c, own, quantity);
     for (int k = 0; k < 2; k++)
         put_number(c, names[k], value[k], own ? asked_shown(&c->asked, value[k]) : value[k] * unit.scale, 2,
                    own ? c->asked.unit : unit.unit);
     put_load(c, "load", c->i, solved.load, 3);
-    c->key = quantity == asked ? "direct" : "direct-bare";
     return true;
 }
 
@@ -701,8 +662,7 @@ static bool textbook(struct claims *c)
     put_text(c, "label", model_rows[book]->label);
     put_surface(c, c->i);
     if (c->asked.target) {
-        const size_t t = (size_t)(c->asked.target - c->results->scene->targets);
-        const struct answer *load = &summary_of(c, c->i)->answers[t * model_count + book];
+        const struct answer *load = answer_of(c, c->i, book);
         put_load(c, "value", c->i, load->load, 3);
         return load->kind == ANSWER_LOAD && !load->most && !load->invalid;
     }
@@ -732,22 +692,21 @@ static double modelled(const struct claims *c, size_t model, size_t k)
     return comparison_middle(c->results, model, usable(c, k)).value[c->asked.quantity];
 }
 
-/** Most over least of a model's answers; negative: in order of roughness not each is above the one before. 0: a surface
- * has none. */
-static double spread_of(const struct claims *c, size_t m)
+/** The last over the first of a model's answers in order of roughness; negative: not each is above the one before. 0: a
+ * surface has none. */
+static double rise_of(const struct claims *c, size_t m)
 {
-    double least = INFINITY, most = 0, before = -INFINITY;
+    double first = NAN, before = 0;
     bool rises = true;
     for (size_t k = 0; k < c->results->usable_count; k++) {
         const double value = asked_shown(&c->asked, modelled(c, m, k));
         if (!(value > 0 && isfinite(value)))
             return 0;
+        first = k == 0 ? value : first;
         rises = rises && value > before * (1 + c->results->scene->tolerance);
-        least = fmin(least, value);
-        most = fmax(most, value);
         before = value;
     }
-    return (rises ? 1 : -1) * most / least;
+    return rises ? before / first : -1;
 }
 
 /** The model whose answer rises most with roughness, and those whose answer does not rise at every step, where the
@@ -757,28 +716,26 @@ static bool by_roughness(struct claims *c)
 {
     const size_t count = c->results->usable_count;
     size_t steepest = model_count;
-    double widest = 0;
+    double most = 0;
     bool all = count >= 3 && differ_in_roughness(c->results);
     for (size_t m = 0; all && m < model_count; m++) {
         const struct model_row *row = model_rows[m];
         all = row->thesis_place == 0 || plan_runs_model(c->results->plan, m);
         if ((row->thesis_place == 0 && m != c->leading) || row->plastic != model_rows[c->leading]->plastic)
             continue;
-        const double spread = spread_of(c, m);
-        if (spread < 0)
+        const double rise = rise_of(c, m);
+        if (rise < 0)
             put_more(c, "others", row->label);
-        if (spread > widest) {
-            widest = spread;
-            steepest = m;
-        }
+        steepest = rise > most ? m : steepest;
+        most = fmax(rise, most);
     }
     if (!all || steepest == model_count || !json_object_get(c->told, "others"))
         return false;
+    const double ends[] = {modelled(c, steepest, 0), modelled(c, steepest, count - 1)},
+                 shown[] = {asked_shown(&c->asked, ends[0]), asked_shown(&c->asked, ends[1])};
     put_text(c, "label", model_rows[steepest]->label);
-    put_text(c, "quantity", words_say(c->words, "%s", c->asked.name));
-    const double ends[] = {modelled(c, steepest, 0), modelled(c, steepest, count - 1)};
-    put_shown(c, "values", json_numbers(ends, 2),
-              (const double[]){asked_shown(&c->asked, ends[0]), asked_shown(&c->asked, ends[1])}, 2, c->asked.unit);
+    put_quantity(c, true, 0);
+    put_shown(c, "values", json_numbers(ends, 2), shown, 2, c->asked.unit);
     return true;
 }
 
@@ -786,27 +743,21 @@ static bool by_roughness(struct claims *c)
 static double share_of(const struct claims *c, size_t surface)
 {
     const struct scene *scene = c->results->scene;
-    const double carrying = summary_of(c, surface)->carrying;
-    switch (c->row->effect) {
-    case EFFECT_GAP: /* where nothing touches, bond-line says it; of a measured conductance it is not known */
-        return nothing_touches(c, surface) || known_value(c->results, QUANTITY_JOINT, surface).measured
-                   ? NAN
-                   : 100 * answer(c, surface, QUANTITY_GAP) / answer(c, surface, QUANTITY_JOINT);
-    case EFFECT_FILM:
-        /* of a measured resistance its part is not known */
-        return known_value(c->results, QUANTITY_VOLTAGE, surface).measured
-                   ? NAN
-                   : 100 * scene->joint.film_ohm_m2 / answer(c, surface, QUANTITY_AREA) /
-                         answer(c, surface, QUANTITY_JOINT_ECR);
-    case EFFECT_PLATING:
+    const enum effect effect = c->row->effect;
+    const bool touches = !nothing_touches(c, surface); /* else bond-line says it */
+    const double carrying = summary_of(c, surface)->carrying, area = answer(c, surface, QUANTITY_AREA);
+    /* of a measured number its part is not known */
+    if (effect == EFFECT_GAP && touches && !known_value(c->results, QUANTITY_JOINT, surface).measured)
+        return 100 * answer(c, surface, QUANTITY_GAP) / answer(c, surface, QUANTITY_JOINT);
+    if (effect == EFFECT_FILM && !known_value(c->results, QUANTITY_VOLTAGE, surface).measured)
+        return 100 * scene->joint.film_ohm_m2 / area / answer(c, surface, QUANTITY_JOINT_ECR);
+    if (effect == EFFECT_PLATING)
         return answer(c, surface, QUANTITY_PLATING_FACTOR);
-    case EFFECT_SHAPE:
-        return carrying > 0 && !nothing_touches(c, surface) ? 1e6 * carrying * scene->nominal_area_m2 : NAN;
-    default:
-        return molten(c, surface)
-                   ? NAN
-                   : known_value(c->results, QUANTITY_TEMPERATURE, surface).value - scene->joint.temperature_K;
-    }
+    if (effect == EFFECT_SHAPE && touches && carrying > 0)
+        return 1e6 * carrying * scene->nominal_area_m2;
+    if (effect == EFFECT_HEATING && !molten(c, surface))
+        return known_value(c->results, QUANTITY_TEMPERATURE, surface).value - scene->joint.temperature_K;
+    return NAN;
 }
 
 /** How much of the answer an effect makes, from the least to the most over all surfaces. */
@@ -839,51 +790,44 @@ static bool chosen(struct claims *c)
 /** Whose hardness counts, where there is a plating that may have its own. */
 static bool hardness(struct claims *c)
 {
-    static const char *const keys[] = {[SURFACE_HARDNESS_BODIES] = "hardness-bodies",
-                                       [SURFACE_HARDNESS_SCENE] = "hardness",
-                                       [SURFACE_HARDNESS_PLATING] = "hardness-plating"};
+    static const char *const whose[] = {[SURFACE_HARDNESS_BODIES] = "bodies",
+                                        [SURFACE_HARDNESS_SCENE] = "scene",
+                                        [SURFACE_HARDNESS_PLATING] = "plating"};
     const struct surface_summary *s = summary_of(c, c->i);
-    const double thickness_m = c->results->scene->joint.plating_thickness_m;
     struct named on = {0};
     for (size_t k = 0; k < c->results->usable_count; k++)
         if (summary_of(c, usable(c, k))->hardness == s->hardness &&
             summary_of(c, usable(c, k))->pair.hardness_Pa == s->pair.hardness_Pa)
             add_name(&on, usable(c, k));
-    c->key = keys[s->hardness];
+    put_text(c, "whose", words_say(c->words, "hardness.%s", whose[s->hardness]));
     put(c, "hardness", s->pair.hardness_Pa);
-    put(c, "thickness", thickness_m);
-    return put_names(c, &on) && thickness_m > 0 && runs(c, EFFECT_PLASTICITY);
+    return put_names(c, &on) && c->results->scene->joint.plating_thickness_m > 0 && runs(c, EFFECT_PLASTICITY);
 }
 
 /** Files with the same heights as an earlier one, which are no further evidence. */
 static bool duplicates(struct claims *c)
 {
-    size_t copies = 0;
     for (size_t i = 0; i < c->results->surface_count; i++)
         for (size_t n = 0; summary_of(c, i)->usable && n < summary_of(c, i)->notes.count; n++) {
             const struct note *note = &summary_of(c, i)->notes.notes[n];
             if (!note->subject || strncmp(note->what, "note.copy\n", strlen("note.copy\n")) != 0)
                 continue;
-            if (copies == 0) {
+            if (!c->surface) {
                 c->surface = json_shown(name_of(c, i));
                 put_text(c, "file", note->subject);
-                put_text(c, "of", strchr(note->what, '\t') + 1);
-            }
-            copies += 1 + note->more;
+            } else
+                c->others++;
+            c->others += note->more;
         }
-    if (copies == 0)
-        return false;
-    c->key = copies > 1 ? "duplicates-more" : "duplicates";
-    put_count(c, "more", copies - 1);
-    return true;
+    return c->surface;
 }
 
 /** Keys of the scene that a user's own part needs, where they are missing. */
 static bool needs(struct claims *c)
 {
-    const bool material = results_has_material(c->results), scene = c->results->scene->path;
-    c->key = material ? "needs" : scene ? "needs-material" : "needs-all";
-    return !material || !scene;
+    const bool material = results_has_material(c->results);
+    c->key = material ? "needs" : "needs-material";
+    return !material || !c->results->scene->path;
 }
 
 /* ---- The table ---- */
@@ -897,18 +841,13 @@ static const struct claim_row rows[] = {
     {"softens", stop, heated, .about = ABOUT_SURFACES},
     {"melts", stop, heated, .about = ABOUT_SURFACES, .melts = true},
     {"bond-line", stop, bond_line, .about = ABOUT_SURFACES},
-    {"bond-line-missing", stop, .when = bond_line_missing},
     {"loads-short", stop, loads_short, .about = ABOUT_SURFACES},
     {"measured", verdict, measured, .about = ABOUT_SURFACES},
     {"not-flat", verdict, not_flat, .about = ABOUT_SURFACES},
     {"rank", verdict, .when = rank},
-    {"area-pressed", verdict, .when = area_pressed},
     {"target", verdict, further_target, .about = ABOUT_TARGETS},
-    {"limit-missed", verdict, further_limit, .about = ABOUT_LIMITS, .verdict = LIMIT_MISSED},
-    {"limit-undecided", verdict, further_limit, .about = ABOUT_LIMITS, .verdict = LIMIT_UNDECIDED},
-    {"limit-no-value", verdict, further_limit, .about = ABOUT_LIMITS, .verdict = LIMIT_NO_VALUE},
-    {"limit-met", verdict, further_limit, .about = ABOUT_LIMITS, .verdict = LIMIT_MET},
-    {"scans-to-decide", verdict, .when = scans_to_decide},
+    {"limit", verdict, further_limit, .about = ABOUT_LIMITS},
+    {"scans-to-decide", verdict, scans_to_decide, .about = ABOUT_SURFACES},
     {"uncertainty", unsure, .when = uncertainty},
     {"not-flat-assumed", unsure, .when = not_flat_assumed},
     {"one-direction", unsure, .when = one_direction},
@@ -926,7 +865,6 @@ static const struct claim_row rows[] = {
     {"duplicates", context, .when = duplicates},
     {"needs", context, .when = needs},
 };
-enum { ROWS = sizeof rows / sizeof *rows };
 
 static struct claims begin(const struct results *results, const struct comparison *comparison, struct words *words)
 {
@@ -949,6 +887,7 @@ static void start(struct claims *c, const struct claim_row *row, size_t i)
     c->key = row ? row->key : "";
     c->i = i;
     c->weight = 1;
+    c->others = 0;
     c->numbers = row ? json_object() : NULL;
     c->told = row ? json_object() : NULL;
     c->surface = NULL;
@@ -971,38 +910,37 @@ static void add_both(struct claims *c, const char *string)
     text_add(&c->markdown, "%s", string);
 }
 
-/** Says of how many more surfaces a claim that stops at one holds. */
+/** Says of how many others a claim holds that names one, where it stops at one surface. */
 static void add_others(struct claims *c)
 {
     struct claims other = begin(c->results, c->comparison, c->words);
-    size_t count = 0;
-    for (size_t i = c->i + 1; i < c->results->surface_count && c->row->level == stop; i++) {
+    for (size_t i = c->i + 1; i < c->results->surface_count && c->row->level == stop && c->row->about == ABOUT_SURFACES;
+         i++) {
         start(&other, c->row, i);
-        count += c->results->surfaces[i].summary.usable && c->row->when(&other) && strcmp(other.key, c->key) == 0;
+        c->others += c->results->surfaces[i].summary.usable && c->row->when(&other) && strcmp(other.key, c->key) == 0;
     }
     start(&other, NULL, 0);
-    if (count == 0)
+    if (c->others == 0)
         return;
-    put_count(c, "others", count);
+    put_count(c, "others", c->others);
     add_both(c, " ");
     (void)add_words(c, "claims.others");
 }
 
-/** Puts the claim behind those of its level with as much weight or more; one that weighs more than the whole interval
- * goes first of all. */
-static void insert(json_t *list, double *weights, const struct claims *c, size_t level_first, double interval)
+/** Puts the claim behind those of its level with as much weight or more; one that weighs more than `most` goes first of
+ * all. */
+static void insert(json_t *list, const struct claims *c, double most)
 {
-    const size_t count = json_array_size(list);
-    size_t at = count;
-    while (at > level_first && c->weight > weights[at - 1])
+    size_t at = json_array_size(list);
+    const char *level = "";
+    double weight = 0;
+    while (at > 0 && json_unpack(json_array_get(list, at - 1), "{s:s, s:f}", "level", &level, "weight", &weight) == 0 &&
+           strcmp(level, c->row->level) == 0 && c->weight > weight)
         at--;
-    at = interval > 0 && c->weight > interval ? 0 : at;
-    memmove(weights + at + 1, weights + at, (count - at) * sizeof *weights);
-    weights[at] = c->weight;
-    json_array_insert_new(list, at,
-                          json_pack("{s:s, s:s, s:O?, s:O, s:s, s:s}", "key", c->key, "level", c->row->level, "surface",
-                                    c->surface, "numbers", c->numbers, "text", text_string(&c->text), "markdown",
-                                    text_string(&c->markdown)));
+    json_array_insert_new(list, c->weight > most ? 0 : at,
+                          json_pack("{s:s, s:s, s:O?, s:O, s:s, s:s, s:f}", "key", c->key, "level", c->row->level,
+                                    "surface", c->surface, "numbers", c->numbers, "text", text_string(&c->text),
+                                    "markdown", text_string(&c->markdown), "weight", fmin(c->weight, DBL_MAX)));
 }
 
 enum status_code claims_make(json_t **out, const struct results *results, const struct comparison *comparison,
@@ -1013,33 +951,29 @@ enum status_code claims_make(json_t **out, const struct results *results, const 
                            [ABOUT_SURFACES] = results->surface_count,
                            [ABOUT_TARGETS] = results->scene->target_count,
                            [ABOUT_LIMITS] = results->scene->limit_count};
-    OWNED(memory_free) double *weights = calloc(ROWS + ends[ABOUT_TARGETS] + 3 * ends[ABOUT_LIMITS], sizeof *weights);
-    double interval = 0;
-    json_t *list = json_array();
-    size_t first = 0;
-    for (const struct claim_row *row = rows; row < rows + ROWS && weights && list; row++) {
+    double interval = INFINITY;
+    *out = json_array();
+    for (const struct claim_row *row = rows; row < rows + sizeof rows / sizeof *rows; row++) {
         const bool surfaces = row->about == ABOUT_SURFACES;
         bool said = false;
-        first = row > rows && row->level != row[-1].level ? json_array_size(list) : first;
         for (size_t i = row->about == ABOUT_BASELINE ? results->baseline : 0; i < ends[row->about]; i++) {
+            char name[80];
             if (surfaces && (said || !results->surfaces[i].summary.usable))
                 continue;
             start(&c, row, i);
-            char name[80];
             said = row->when(&c) && snprintf(name, sizeof name, "claim.%s", c.key) > 0 && add_words(&c, name);
-            if (said && surfaces)
-                add_others(&c);
+            if (!said)
+                continue;
+            add_others(&c);
             text_strip_marks(&c.text);
-            if (said)
-                insert(list, weights, &c, first, row->when == not_flat_assumed ? interval : 0);
-            interval = said && row->when == uncertainty ? c.weight : interval;
+            insert(*out, &c, row->when == not_flat_assumed ? interval : INFINITY);
+            interval = row->when == uncertainty ? c.weight : interval;
         }
     }
     start(&c, NULL, 0);
-    if (!weights || !list)
-        (void)status_memory(status);
-    *out = list;
-    return status->code;
+    for (size_t i = 0; i < json_array_size(*out); i++)
+        json_object_del(json_array_get(*out, i), "weight");
+    return *out ? status->code : status_memory(status);
 }
 
 /* ---- The headline ---- */
@@ -1047,25 +981,11 @@ enum status_code claims_make(json_t **out, const struct results *results, const 
 /** One surface's part, behind `before`: "*as plated* needs 0.97 N (measured)". */
 static bool add_part(struct claims *c, const char *before, size_t surface)
 {
-    static const char *const kinds[] = {
-        [KNOWN_NOTHING] = "never", [KNOWN_VALUE] = "is", [KNOWN_AT_MOST] = "most", [KNOWN_MORE_THAN] = "more"};
-    const bool target = c->asked.target;
-    const struct known known = known_shown(c->results, &c->asked, c->asked.target, surface);
-    const struct asked_load load = asked_load_of(c->results, surface);
-    const bool is = known.kind == KNOWN_VALUE, has = is && isfinite(known.low) && isfinite(known.high);
-    char name[80];
+    const bool known = put_known(c, c->asked.target, surface);
     add_both(c, before);
-    put_surface(c, surface);
-    put_text(c, "unit", !target ? c->asked.unit : load.unit[0] ? load.unit : "E′Aₙ");
-    put_number(c, "value", known.value, known.value, is ? known_digits(&known) : 3, "");
-    put(c, "low", known.low);
-    put(c, "high", known.high);
-    snprintf(name, sizeof name, "headline.%s-%s%s", target ? "load" : "value", kinds[known.kind],
-             !is || known.beyond ? ""
-             : known.measured    ? "-measured"
-             : has               ? "-interval"
-                                 : "");
-    return add_words(c, name);
+    return add_words(c, c->asked.target ? known ? "headline.load-is" : "headline.load-never"
+                        : known         ? "headline.value-is"
+                                        : "headline.value-never");
 }
 
 enum status_code claims_headline(json_t **out, const struct results *results, const struct comparison *comparison,
@@ -1073,14 +993,13 @@ enum status_code claims_headline(json_t **out, const struct results *results, co
 {
     struct claims c = begin(results, comparison, words);
     const char *const name = c.asked.target ? "headline.load" : "headline.value";
-    size_t ends[] = {best_or_worst(&c, false), best_or_worst(&c, true)};
+    size_t ends[] = {best_or_worst(&c, c.asked.target, false), best_or_worst(&c, c.asked.target, true)};
     if (ends[0] == ends[1] && results->usable_count > 1) /* all alike: the first and the last */
         ends[1] = usable(&c, results->usable_count - 1);
-    c.numbers = json_object();
-    c.told = json_object();
+    start(&c, rows, 0);
     if (c.asked.target)
-        put_asked(&c, "target", c.asked.target);
-    put_text(&c, "quantity", words_say(words, "%s", c.asked.name));
+        put_asked(&c, c.asked.target);
+    put_quantity(&c, true, 0);
     put_load(&c, "load", results->baseline, results_operating_load(results, results->baseline), 3);
     *out = NULL;
     if (add_words(&c, name) && add_part(&c, " ", ends[0]) && (ends[1] == ends[0] || add_part(&c, " and ", ends[1]))) {

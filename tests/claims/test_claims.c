@@ -108,14 +108,21 @@ static void expect_list(const json_t *claims)
     double before = INFINITY, factor, model, scans, waves, load, low, high;
     json_array_foreach(claims, i, claim)
     {
-        const char *key = json_string_value(json_object_get(claim, "key"));
+        const char *key = json_string_value(json_object_get(claim, "key")),
+                   *text = json_string_value(json_object_get(claim, "text"));
         const json_t *numbers = json_object_get(claim, "numbers");
         json_array_foreach(claims, k, other) if (k < i && strncmp(key, "target", 6) && strncmp(key, "limit", 5))
             assert_string_not_equal(json_string_value(json_object_get(other, "key")), key);
-        /* only a claim that stops says that it holds for others, and only where there are */
-        const bool others = strstr(json_string_value(json_object_get(claim, "text")), "The same holds for ") != NULL;
+        /* a limit that is missed is the first of the verdicts */
+        const json_t *prior = i > 0 ? json_array_get(claims, i - 1) : NULL;
+        if (strcmp(key, "limit") == 0 && strstr(text, " is missed by ") && prior)
+            assert_true(strcmp(json_string_value(json_object_get(prior, "level")), "verdict") != 0 ||
+                        strstr(json_string_value(json_object_get(prior, "text")), " is missed by "));
+        /* only copies and a claim that stops say that they hold for others, and only where there are */
+        const bool others = strstr(text, "The same holds for ") != NULL;
         assert_int_equal(others, json_object_get(numbers, "others") != NULL);
-        assert_true(!others || strcmp(json_string_value(json_object_get(claim, "level")), "stop") == 0);
+        assert_true(!others || strcmp(key, "duplicates") == 0 ||
+                    strcmp(json_string_value(json_object_get(claim, "level")), "stop") == 0);
         if (strcmp(key, "target") == 0 &&
             json_unpack((json_t *)numbers, "{s:F, s:[F, F]}", "load", &load, "interval", &low, &high) == 0)
             assert_true(low <= load && load <= high);
@@ -154,8 +161,8 @@ TEST_IN_WORKSPACE(every_row_holds)
         }
         if (!claims[same])
             continue;
-        const bool wanted = strcmp(lines[i][2], "-") != 0;
-        const char *text = said(claims[same], lines[i][0], wanted ? lines[i][2] : "");
+        const bool wanted = lines[i][2][0] != '-';
+        const char *text = said(claims[same], lines[i][0], lines[i][2] + !wanted);
         if ((text != NULL) != wanted)
             fail_msg("'%s' of %s: %s\n%s", lines[i][0], scene, text ? text : "is not said",
                      json_dumps(claims[same], JSON_INDENT(1)));
@@ -201,5 +208,5 @@ TEST_CASE(every_key_has_both)
             fail_msg("tests/claims.tsv has no scene %s '%s'", both[0] ? "against" : "for", key);
         keys++;
     }
-    assert_true(keys > 40);
+    assert_true(keys > 30);
 }

@@ -172,7 +172,7 @@ TEST_IN_WORKSPACE(test_one_bad_scan_stops_no_other)
     struct process process = expect_exit(place, 1, "report", "d", "--material", "tin", "--effects", "plasticity");
     expect_part(process.err, "surface 'b' refused: b.csv:4: 'x' in a column of numbers; correct or remove this line\n");
     expect_part(process.out, "\nout/d/report.html\n");
-    expect_in_file(place, "out/d/report.md", "**1 of 3 files was not used**, of b.", "'x' in a column of numbers");
+    expect_in_file(place, "out/d/report.md", "**Not used: 1 of 3 files**, of b.", "'x' in a column of numbers");
     expect_in_file(place, "out/d/report.html", "b.csv:4: 'x' in a column of numbers");
     expect_in_file(place, "out/d/results.json", "\"surface\": \"b\"",
                    "\"error\": \"b.csv:4: 'x' in a column of numbers; correct or remove this line\"");

@@ -254,15 +254,18 @@ TEST_IN_PLACE(a_plating_has_its_hardness)
         const char *said; /* NULL: nothing of a plating's hardness */
     } rows[] = {
         {"plating: {metal: tin, thickness: 20 um}\n", 100e6,
-         "- The hardness is the plating's, 100\u00a0MPa on a and b, "},
-        {"plating: {metal: tin, thickness: 1 nm}\n", bronze_Pa, "- The hardness is the softer body's, "},
-        {"plating: {metal: tin, thickness: 20 um}\nhardness: 900 MPa\n", 900e6, "- The hardness is the scene's, 900"},
-        {"plating: {metal: hard gold, thickness: 20 um}\n", 1.667e9, "- The hardness is the plating's, 1667"},
+         "- The hardness of a and b is the plating's, 100\u00a0MPa."},
+        {"plating: {metal: tin, thickness: 1 nm}\n", bronze_Pa, "- The hardness of a and b is the softer body's, "},
+        {"plating: {metal: tin, thickness: 20 um}\nhardness: 900 MPa\n", 900e6,
+         "- The hardness of a and b is the scene's, 900"},
+        {"plating: {metal: hard gold, thickness: 20 um}\n", 1.667e9,
+         "- The hardness of a and b is the plating's, 1667"},
         {"counterface: same\nplating: {metal: hard gold, thickness: 20 um}\n", bronze_Pa,
-         "- The hardness is the softer body's, "},
+         "- The hardness of a and b is the softer body's, "},
         {"counterface: same\nplating: {metal: hard gold, thickness: 20 um, sides: both}\n", 1.667e9,
-         "- The hardness is the plating's, 1667"},
-        {"plating: {resistivity: 1e-7, thickness: 20 um}\n", bronze_Pa, "- The hardness is the softer body's, "},
+         "- The hardness of a and b is the plating's, 1667"},
+        {"plating: {resistivity: 1e-7, thickness: 20 um}\n", bronze_Pa,
+         "- The hardness of a and b is the softer body's, "},
         {"film: 0\n", bronze_Pa, NULL},
     };
     double area[2] = {0};
@@ -274,7 +277,7 @@ TEST_IN_PLACE(a_plating_has_its_hardness)
         if (rows[k].said)
             expect_parts(page, rows[k].said);
         else
-            expect_no_parts(page, "The hardness is");
+            expect_no_parts(page, "The hardness of");
     }
     const json_t *thick = results_of(place, BRONZE "plating: {metal: tin, thickness: 20 um}\nexport: comsol\n");
     expect_in_file(place, "out/export/a.comsol.txt", "\n% Hc 100000000[Pa] hardness\n");
@@ -470,7 +473,7 @@ TEST_IN_PLACE(to_paste)
  * little effect, it is not said. */
 TEST_IN_PLACE(flatness_that_is_not_given)
 {
-    static const char said[] = " would divide the conductance by ", effect[] = "the scene has 'shape'; conductance × ";
+    static const char said[] = " would multiply the resistance by ", effect[] = "the scene has 'shape'; conductance × ";
     static const char *const silent[] = {"", "nominal_area: 1e-3 mm2\n",
                                          "nominal_area: 4 cm2\nshape: {flatness: 5 um, over: 20 mm}\n"};
     const char *rest = "material: copper\ncounterface: aluminium\nload: {from: 1 bar, to: 500 bar, points: 16}\n"
@@ -554,7 +557,8 @@ TEST_IN_PLACE(what_is_in_the_answer)
 TEST_IN_PLACE(a_bond_line_that_keeps_the_metals_apart)
 {
     static const char *const of_spots[] = {
-        "**Uncertainty", "longest waves", "**Textbook", "Few spots", "bears more than the hardness", "widen `load`"};
+        "**Uncertainty", "longest waves", "**Textbook", "Few metal spots", "bears more than the hardness",
+        "widen `load`"};
     for (int thick = 0; thick < 2; thick++) {
         char *report = report_on(
             place, filled(LOADS "material: tin\nnominal_area: 400 mm2\neffects: [separation, electrical, thermal, "

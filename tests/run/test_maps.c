@@ -162,7 +162,7 @@ TEST_IN_DIRECTORY(joints_of_a_map)
               filled(with, "1e-5", "1e-2", "{filler: silicone grease, bond_line: 25 um}",
                      "targets: {conductance: 3.1e4 W/m2/K}"));
     expect_in_file(place, "thick/report.md", "needs at most");
-    expect_not_in_file(place, "thick/report.md", "beyond the loads", "widen", "Few spots");
+    expect_not_in_file(place, "thick/report.md", "beyond the loads", "widen", "Few metal spots");
     assert_near(of_row(place, "thick/data/contact.csv", MIDDLE, "joint_W_per_m2K"), 3.2e4, 1e-12);
 }
 

@@ -281,8 +281,9 @@ TEST_IN_DIRECTORY(copies_among_scans)
     assert_near(table_number(&four, 0, "effective"), table_number(&three, 0, "effective"), 0);
     expect_in_file(place, "four/report.md", "holds the same heights as");
     report(place, "twice", "", "{name: m, file: [0.csv, 1.csv, 2.csv, 1.csv]}");
-    expect_in_file(place, "twice/report.md", "**Copies:** 1.csv is listed more than once and counts once.",
-                   "1.csv is listed more than once and counts once");
+    expect_in_file(place, "twice/report.md",
+                   "**Copies:** 1.csv repeats heights that were read before; they count once.",
+                   "1.csv: is listed more than once and counts once");
     expect_no_parts(directory_read(place, "twice/report.md"), "same heights");
 }
 
@@ -493,7 +494,7 @@ TEST_IN_DIRECTORY(bad_scans_of_several)
         "are used\n",
         "surface 's': d.csv: 3 points carry no spectrum; at least 11 are needed: take a longer scan, or leave it out - "
         "refused; 3 of its 5 scans are used\n");
-    expect_in_file(place, "out-bad/report.md", "2 of 5 files were not used", "at least 11 are needed");
+    expect_in_file(place, "out-bad/report.md", "Not used: 2 of 5 files", "at least 11 are needed");
 }
 
 /* A surface whose only scan is too short is refused; the shortest scan that is accepted has 11 points. */
