@@ -29,9 +29,10 @@ enum { ROUGH_STEP = 3, ROUGH_TOLERANCE = 2 };
 
 static const double least_share = 0.3; /* of the area in contact, left by the correction for its outline */
 
-double strip_smoothing(size_t scans)
+struct strip_rule strip_rule(size_t scans)
 {
-    return scans <= 1 ? 1 : scans == 2 ? 0.8 : 0.6;
+    static const struct strip_rule rules[] = {{0, 12}, {1, 12}, {0.8, 12}, {0.6, 8}};
+    return rules[scans < 3 ? scans : 3];
 }
 
 size_t strip_surrogates(const struct strip_rows *rows)
@@ -181,7 +182,7 @@ static enum status_code solve_strip(struct strip_curve *curve, size_t *convoluti
                                     size_t index, struct status *status)
 {
     struct direct_contact made, *contact = &made;
-    const size_t points = solver->points;
+    const size_t points = solver->points, least_points = strip_rule(solver->rows->scans).least_points;
     const double spacing_m = solver->rows->spacing_m, *strip_m = solver->strip_m + index * points;
     double slope = sqrt(mean_square_slope(strip_m, points, row_length(solver->rows), spacing_m));
     const struct direct_grid grid = {points, 1, spacing_m, false, true};
@@ -197,7 +198,7 @@ static enum status_code solve_strip(struct strip_curve *curve, size_t *convoluti
         if (direct_contact_solve(contact, &load, &problem) == STATUS_OK) {
             struct direct_quantities found = direct_quantities_of(contact, &load);
             found.contact_points += overlapping(contact) / 2;
-            enough = found.contact_points >= STRIP_LEAST_POINTS;
+            enough = found.contact_points >= least_points;
             if (enough)
                 (void)add_solution(curve, contact, &load, &found, &problem);
         }
@@ -212,8 +213,7 @@ static enum status_code solve_strip(struct strip_curve *curve, size_t *convoluti
         return status->code;
     if (curve->count == 0)
         return status_fail(status, STATUS_MODEL,
-                           "no load of the strip has %d points in contact; take longer or denser scans",
-                           STRIP_LEAST_POINTS);
+                           "no load of the strip has %zu points in contact; take longer or denser scans", least_points);
     size_t first = STRIP_LOADS - curve->count;
     memmove(curve->logit, curve->logit + first, curve->count * sizeof *curve->logit);
     memmove(curve->value, curve->value + first, curve->count * sizeof *curve->value);
@@ -264,7 +264,7 @@ enum status_code strip_solve(struct strip *out, const struct strip_rows *rows, s
     const bool rough = surrogates == STRIP_ROUGHLY;
     struct solver solver = {
         .out = out, .rows = rows, .surrogates = rough ? 1 : surrogates, .rough = rough, .stop = threads->stop};
-    *out = (struct strip){.smoothing = rows->smoothing};
+    *out = (struct strip){.smoothing = strip_rule(rows->scans).smoothing};
     double *own_m = strip_join(&solver.points, rows);
     double *strip_m = own_m ? reallocarray(own_m, 1 + solver.surrogates, (solver.points + 1) * sizeof *own_m) : NULL;
     solver.strip_m = strip_m ? strip_m : own_m;

@@ -12,12 +12,11 @@
 #include <stdint.h>
 
 enum {
-    STRIP_LOADS = 17,       /* solved */
-    STRIP_KNOTS = 32,       /* at most, of a curve */
-    STRIP_SURROGATES = 2,   /* a Gaussian strip and the same upside down, which scatter no more than four do */
-    STRIP_LONG = 32768,     /* points of all rows from which one is enough: strip_surrogates() */
-    STRIP_ROUGHLY = 5,      /* as the number of surrogates, for a scatter alone: one surrogate, a third of the loads */
-    STRIP_LEAST_POINTS = 12 /* in contact, for a usable solution */
+    STRIP_LOADS = 17,     /* solved */
+    STRIP_KNOTS = 32,     /* at most, of a curve */
+    STRIP_SURROGATES = 2, /* a Gaussian strip and the same upside down, which scatter no more than four do */
+    STRIP_LONG = 32768,   /* points of all rows from which one is enough: strip_surrogates() */
+    STRIP_ROUGHLY = 5     /* as the number of surrogates, for a scatter alone: one surrogate, a third of the loads */
 };
 
 /** Levelled profiles of one surface, of equal length and spacing, with a common height reference. */
@@ -27,12 +26,20 @@ struct strip_rows {
     double spacing_m;
     bool periodic;        /* each row; else it is mirrored */
     const uint64_t *seed; /* one per row, for the phases of surrogates; NULL: its number */
-    double smoothing;     /* width in logit A over which ratios are smoothed: strip_smoothing(); 0: none */
+    size_t scans;         /* of the surface, for strip_rule(); 0: ratios are not smoothed */
 };
 
-/** The width with the least measured error: 1 for one scan, .6 from three on (any-heights). It also removes steps that
- * noise makes. */
-double strip_smoothing(size_t scans);
+/** What depends on how many scans a surface has. */
+struct strip_rule {
+    double smoothing;    /* width in logit A over which ratios are smoothed; 0: none */
+    size_t least_points; /* in contact, for a usable solution */
+};
+
+/** The rule with the least measured error (any-heights; docs/validation.md). Smoothing also removes steps that noise
+ * makes. From three scans on solutions with 8 points in contact count too: of surfaces of all heights five scans then
+ * err by .20 .24 .32 instead of .22 .25 .32 (rms ln of area, gap, resistance); one scan would err by .36 .54 .54
+ * instead of .34 .55 .50. */
+struct strip_rule strip_rule(size_t scans);
 
 /** Gaussian strips that a strip is compared with. Of 64 000 points a second one changes area, gap and resistance by
  * .03, .1 and .12 (rms ln, one longest wave) to .05, .02 and .04 (300 of them), where models err by .37, .48 and .54;
@@ -56,7 +63,7 @@ struct strip {
     size_t surrogates;   /* with a solution */
     size_t unsolved;     /* loads of all strips */
     uint64_t transforms; /* pairs of transforms, times points */
-    double smoothing;    /* as of the rows */
+    double smoothing;    /* of strip_rule() */
 };
 
 /** Joins the rows to one strip and solves it and its surrogates. A surrogate's rows have the mean power of all rows

@@ -98,13 +98,8 @@ enum status_code strips_gather(struct strips *out, struct ensemble *set, bool pa
         }
     }
     free(in_order);
-    out->rows = (struct strip_rows){out->height_m,
-                                    scans * each,
-                                    length,
-                                    spacing_m,
-                                    periodic && length == points,
-                                    out->seed,
-                                    strip_smoothing(set->count)};
+    out->rows = (struct strip_rows){out->height_m, scans * each, length, spacing_m, periodic && length == points,
+                                    out->seed,     set->count};
     return STATUS_OK;
 }
 

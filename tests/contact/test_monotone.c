@@ -101,7 +101,7 @@ static bool make(struct made *out, size_t number)
     struct status status = {0};
     size_t rows = 1 + number / 12 % ROWS, surrogates = 1 + number % 2;
     draw(out->height_m, number);
-    out->rows = (struct strip_rows){out->height_m, rows, POINTS, 1e-6, number % 5 == 0, NULL, strip_smoothing(rows)};
+    out->rows = (struct strip_rows){out->height_m, rows, POINTS, 1e-6, number % 5 == 0, NULL, rows};
     out->spectrum = model_support_spectrum(out->height_m, rows, POINTS, 1e-6);
     double slope = sqrt(2 * spectrum_moment(&out->spectrum, 1));
     if (!(slope > 0) || strip_solve(&out->strip, &out->rows, surrogates, &test_alone, &status) != STATUS_OK)

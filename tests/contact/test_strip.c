@@ -175,6 +175,27 @@ TEST_CASE(steps_between_rows_are_no_slope)
     assert_true(light[1] < light[0] + 0.1);
 }
 
+/** From three scans on lighter loads count, with 8 points in contact instead of 12; the others are solved as before. */
+TEST_CASE(several_scans_reach_lighter_loads)
+{
+    size_t lighter = 0;
+    for (uint64_t seed = 1; seed <= 4; seed++) {
+        double *height = gaussian_rows(3, seed);
+        struct strip of[4];
+        for (size_t scans = 0; scans < 4; scans++)
+            of[scans] = solved(&(struct strip_rows){height, 3, POINTS, 1e-6, true, NULL, scans}, 0);
+        const struct strip_curve *one = &of[1].own, *three = &of[3].own;
+        assert_memory_equal(one, &of[0].own, sizeof *one);
+        assert_memory_equal(one, &of[2].own, sizeof *one);
+        const size_t more = three->count - one->count;
+        assert_true(three->count >= one->count);
+        assert_memory_equal(three->logit + more, one->logit, one->count * sizeof *one->logit);
+        assert_true(logistic(three->logit[0]) * 3 * POINTS >= 0.3 * 8);
+        lighter += more;
+    }
+    assert_true(lighter > 0);
+}
+
 /** A row that does not close on itself is mirrored, not repeated: a ramp then has no cliff, and gives what the mirrored
  * rows give as they are. */
 TEST_CASE(rows_are_mirrored)
@@ -199,7 +220,8 @@ TEST_CASE(gap_of_the_open_points)
     struct direct_contact contact;
     size_t count = 0;
     expect_ok(direct_contact_make, &contact, height, &(struct direct_grid){POINTS, 1, 1e-6, false, false});
-    assert_true(logistic(strip.own.logit[0]) * POINTS >= 0.3 * STRIP_LEAST_POINTS); /* of fewer it says nothing */
+    assert_true(logistic(strip.own.logit[0]) * POINTS >=
+                0.3 * (double)strip_rule(0).least_points); /* of fewer it says nothing */
     for (size_t k = 0; k < strip.own.count; k++) {
         struct direct_contact_load load = {exp(strip.own.value[k][0]), INFINITY, 1e-9, true, NULL};
         expect_ok(direct_contact_solve, &contact, &load);
@@ -254,7 +276,7 @@ TEST_CASE(prepared_for_a_surface)
     enum { LOADS = 5 };
     struct material_pair pair = model_support_tin();
     double *height = gaussian_rows(ROWS, 3), load[LOADS];
-    struct strip strip = solved(&(struct strip_rows){height, ROWS, POINTS, 1e-6, true, NULL, 0.6}, 2);
+    struct strip strip = solved(&(struct strip_rows){height, ROWS, POINTS, 1e-6, true, NULL, 3}, 2);
     struct spectrum spectrum[2] = {model_support_spectrum(height, ROWS, POINTS, 1e-6),
                                    model_support_law(POINTS * 1e-6, 0.05, 1.4, 100)};
     struct prepared_strip prepared = {.strip = NULL};
