@@ -155,7 +155,7 @@ static enum status_code tokenize(struct tokens *out, struct status *status)
         out->token[out->count++] = token;
     }
     if (depth > 0)
-        return fail(out, p, "section that does not end:", &out->token[open[0]], status);
+        return fail(out, out->token[open[0]].start, "section that does not end:", &out->token[open[0]], status);
     out->token[out->count++] = (struct token){.start = p, .length = strlen(p)};
     return STATUS_OK;
 }

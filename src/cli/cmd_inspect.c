@@ -25,17 +25,14 @@ struct arguments {
 };
 
 static const struct argp_option options[] = {
-    {"json", KEY_JSON, 0, 0, "print an array of objects, one a file (default: text)", 0},
+    {"json", KEY_JSON, 0, 0, "print an array of objects, one a scan (default: text)", 0},
     {"chart", KEY_CHART, 0, 0, "draw the profile even when the output is no terminal (default: only on one)", 0},
     {"x-unit", KEY_X_UNIT, "UNIT", 0, "unit of x where the file names none (default: such a file is refused)", 0},
     {"z-unit", KEY_Z_UNIT, "UNIT", 0, "unit of z where the file names none (default: such a file is refused)", 0},
     {"column", KEY_COLUMN, "Z|X,Z", 0, "columns by number (default: the first two that can be x and z)", 0},
     {"lambda-s", KEY_LAMBDA_S, "LENGTH", 0, "cut-off of a Gaussian low-pass (default: none; profiles only)", 0},
     {"lambda-c", KEY_LAMBDA_C, "LENGTH", 0,
-     "cut-off of a high-pass (profiles only): R beside P parameters, of whole sampling lengths but half of one at "
-     "either end (default: "
-     "none)",
-     0},
+     "cut-off of a high-pass (profiles only): R beside P parameters, over whole sampling lengths (default: none)", 0},
     {0},
 };
 

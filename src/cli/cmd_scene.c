@@ -42,10 +42,10 @@ static const struct argp_option scene_options[] = {
      "convergence, uncertainty, direct, gap, film, plating, heating, shape, or both, with commas (default: "
      "the scene's, else auto)",
      1},
-    {"tolerance", 't', "REL", 0, "relative tolerance of every number, 1e-14 to 0.1 (default: the scene's, else 1e-6)",
+    {"tolerance", 't', "REL", 0, "relative tolerance of closed forms, 1e-14 to 0.1 (default: the scene's, else 1e-6)",
      1},
     {"accuracy", KEY_ACCURACY, "SHARE", 0,
-     "run the cheapest model alone whose 95 % error is at most that, as 200 % (default: the scene's, else all run)", 1},
+     "run the cheapest model alone whose 95 % error is at most that, as 200% (default: the scene's, else all run)", 1},
     {"budget", KEY_BUDGET, "TIME", 0,
      "solve directly too, on the grid and as many surfaces as take so long on one core, by count, not by the clock "
      "(default: the scene's)",
@@ -92,7 +92,7 @@ static const struct argp_option report_options[] = {
     {"output", 'o', "OUT", 0, "where the report goes (default: out/<name of DIR>)", 0},
     {"jobs", 'j', "N", 0, "threads, 1 to 64 (default: one a processor)", 0},
     {"show", 's', 0, 0, "also draw the main charts as text (default: not)", 0},
-    {"no-cost", KEY_NO_COST, 0, 0, "leave out the section on what accuracy costs in time (default: not)", 0},
+    {"no-cost", KEY_NO_COST, 0, 0, "leave out what accuracy costs in time (default: not)", 0},
     {"check", KEY_CHECK, 0, 0,
      "end with exit status 5 where a surface misses one of the scene's limits, 6 where none does and one is undecided "
      "(default: not)",

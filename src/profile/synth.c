@@ -191,7 +191,8 @@ static enum status_code fill(struct synth *synth, double *height_m, struct statu
         synth->in_band++;
     if (def->scatter_decades > 0 && synth->in_band < 6)
         return status_fail(status, STATUS_USAGE,
-                           "only %zu harmonics are longer than --lambda-s; scatter needs at least 6", synth->in_band);
+                           "only %zu harmonics, scatter needs 6; give more points, a shorter --lambda-s or --scatter 0",
+                           synth->in_band);
     gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
     if (!random)
         return status_memory(status);

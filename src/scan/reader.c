@@ -97,9 +97,9 @@ enum status_code scan_units(struct scan *out, const char *x_named, const char *z
         const bool known =
             unit_read(&other, beside_it, strlen(beside_it)) && !unit_of(&other, UNIT_NUMBER | UNIT_DISTANCE);
         if (known && i == 0 && unit_of(&other, UNIT_FORCE | UNIT_PRESSURE | UNIT_RESISTANCE | UNIT_THERMAL_RESISTANCE))
-            return scan_fail(
-                file, 0, "x in '%s' is no scan; is it a measurement, `measured: {file: ...}` in scene.yaml takes it",
-                beside_it);
+            return scan_fail(file, 0,
+                             "x in '%s' is no scan; a measurement goes into scene.yaml as `measured: {file: ...}`",
+                             beside_it);
         if (own ? !find_unit(own).name || (i == 0 && !(find_unit(own).si > 0)) : known)
             return scan_fail(file, 0, "%c is in '%.16s' by the file, which is no unit of length; correct it there",
                              "xz"[i], own ? own : beside_it);

@@ -255,7 +255,7 @@ static void check_loads(struct scene *scene, struct scene_source *source)
         load->to = most = fmax(most, fmin(10 * value, 1));
     }
     if (!(value >= least && value <= most))
-        FAIL_KEY(source, key, "'%s' is %g%s%s, outside the loads, %g to %g", key, value,
+        FAIL_KEY(source, key, "'%s' is %g%s%s, outside the loads, %g to %g; correct it or 'load'", key, value,
                  load->kind == UNIT_NUMBER ? "" : " ", unit_si(load->kind), least, most);
 }
 

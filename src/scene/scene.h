@@ -48,7 +48,7 @@ struct scene_surface {
     char *name;                 /* as printed; hostile until escaped */
     struct scene_files files;
     struct scene_measured measured;
-    struct scene_files along; /* scans along the lay */
+    struct scene_files along; /* scans in the other direction */
     bool lay_given;
     double lay;      /* rms slope along over across the lay; 0: a perfect one */
     char x_unit[16]; /* "" when the scene gives none */

@@ -362,8 +362,8 @@ const struct scene_key scene_keys[] = {
      scene_surfaces_material, .at = AT(bodies.material), .given = AT(bodies.material_given)},
     {"counterface",
      "rigid, same, a material, a mapping of its properties, or for all surfaces another rough one: {surface: FILE, "
-     "material: NAME}, whose amplitudes add as squares and whose profiles are taken in pairs; default: rigid, a flat "
-     "that conducts like the material",
+     "material, x_unit, z_unit, column}, whose amplitudes add as squares and whose profiles are taken in pairs; "
+     "default: rigid, a flat that conducts like the material",
      scene_surfaces_counterface, .at = AT(bodies)},
     {"direction", "profiles of a map are its rows or its columns; default: x",
      SCENE_CHOICE(AT(direction), scan_direction_names)},
@@ -372,8 +372,8 @@ const struct scene_key scene_keys[] = {
      "say its own and is no map; default: no lay",
      SCENE_NUMBER(AT(lay), 0.0, 1.0), .given = AT(lay_given)},
     {"measured",
-     "{file (a list or pattern: each a run), quantity: ecr or tcr, load_unit, resistance_unit, carry}: resistance "
-     "measured on the baseline; it stands above the models, but with carry: false; default: carry: true",
+     "{file (a list or pattern: each a run), quantity: tcr (default: ecr), load_unit, resistance_unit, carry}: "
+     "resistance measured on the baseline; it stands above the models, but with carry: false; default: carry: true",
      SCENE_MEASURED(AT(measured))},
     {"nominal_area", "default: none, and resistances stay per area",
      SCENE_QUANTITY(AT(nominal_area_m2), UNIT_AREA, 1e-18, 1e6), .word = "none", .alias = "nominal_area_m2"},
@@ -452,7 +452,7 @@ const struct scene_key scene_keys[] = {
     {"gap",
      "{gas: air, nitrogen, helium, argon, hydrogen, carbon dioxide, SF6, neon, krypton or vacuum, pressure (1 atm), "
      "temperature (300 K), accommodation (the gas's)}, {liquid: water, oil or glycerin, temperature} or {filler: "
-     "silicone grease, filled grease, pad or gallium alloy, or its conductivity, bond_line} of what fills the gaps: "
+     "silicone grease, filled grease, pad or gallium alloy (or conductivity), bond_line} of what fills the gaps: "
      "the heat that it carries; default: nothing is said of it",
      scene_source_within, .at = AT(joint), .within = SCENE_RULED("gap", gap_keys, .then = complete_gap)},
     {"film", "insulating film on the spots, a resistance times an area; default: none",
@@ -465,7 +465,7 @@ const struct scene_key scene_keys[] = {
      "conductance and ECR of the whole of it; default: the parts are flat",
      scene_source_within, .at = 0, .given = AT(shape.given), .within = &scene_shape_ways},
     {"plating",
-     "{thickness, metal: hard gold, soft gold, tin, silver or nickel, or its resistivity, sides: one (the surface's, "
+     "{thickness, metal: hard gold, soft gold, tin, silver or nickel (or resistivity), sides: one (the surface's, "
      "as by default) or both}; thicker than indents are deep, a metal brings its hardness, below that of 'hardness'; "
      "default: none",
      scene_source_within, .at = AT(joint),

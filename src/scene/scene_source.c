@@ -353,7 +353,7 @@ bool scene_source_pair(struct scene_source *source, const struct scene_key *key,
 {
     double *pair = field;
     if (scene_source_item_count(value) != 2)
-        return scene_source_wrong_type(source, value, key->name, "two lengths, as [20 mm, 10 mm]");
+        return scene_source_wrong_type(source, value, key->name, "two lengths, as [10 mm, 20 mm]");
     return scene_source_quantity(source, key, scene_source_item(source, value, 0), &pair[0]) &&
            scene_source_quantity(source, key, scene_source_item(source, value, 1), &pair[1]);
 }

@@ -65,7 +65,7 @@ static const struct {
     {"{{=[ #]=}}[# x #]in[/x#][y#]", "{\"x\": [1, 2]}", "", "inin", ""},
     {"{{=[ &]=}}[&]", "{}", "", NULL, "not closed: '[&]'"},
     {"{{=[ !]=}}[!]a[!]b", "{}", "", "b", ""},
-    {"one\n{{#x}} two", "{}", "", NULL, "x"},
+    {"one\n{{#x}} two\nthree", "{}", "", NULL, "line 2: section that does not end: 'x'"},
     {"one\ntwo {{/x}}", "{}", "", NULL, "line 2"},
     {"one\ntwo {{/\nx}}", "{}", "", NULL, "line 2"},
     {"one {{x", "{}", "", NULL, "not closed"},

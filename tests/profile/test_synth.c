@@ -120,7 +120,10 @@ TEST_CASE(test_what_cannot_be_made_is_refused)
         {offsetof(struct synth_def, scatter_decades), {2.01}, 1, "at most 2 decades"},
         {offsetof(struct synth_def, rq_m), {1}, 1, "gives an Rq of 1 m (it can reach"}, /* a metre of roughness */
         {offsetof(struct synth_def, rq_m), {1, 1e-15}, 2, "change --length"},
-        {offsetof(struct synth_def, lambda_s_m), {3e-4 / 5}, 1, "only 5 harmonics are longer than --lambda-s"},
+        {offsetof(struct synth_def, lambda_s_m),
+         {3e-4 / 5},
+         1,
+         "only 5 harmonics, scatter needs 6; give more points, a shorter --lambda-s or --scatter 0"},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
         for (size_t k = 0; k < rows[i].count; k++) {

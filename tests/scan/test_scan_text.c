@@ -326,7 +326,7 @@ TEST_CASE(test_missing_units)
         const char *title, *refused;
     } titles[] = {
         {"Force (N),Resistance (mOhm)",
-         "file: x in 'N' is no scan; is it a measurement, `measured: {file: ...}` in scene.yaml takes it"},
+         "file: x in 'N' is no scan; a measurement goes into scene.yaml as `measured: {file: ...}`"},
         {"R (mOhm),F (N)", "file: x in 'mOhm' is no scan"},
         {"x [mm],z (V)", "file: z is in 'V' by the file, which is no unit of length; correct it there"},
         {"x [km],z [um]", "file: unknown unit 'km', no unit for x; add"},

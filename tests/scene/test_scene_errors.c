@@ -48,7 +48,7 @@ static const struct wrong rows[] = {
     {"lambda_c_m: 8e-6\nlambda_s_m: 8e-6\n", 1, "'lambda_c' is 8e-06 m, not above 'lambda_s', 8e-06 m; correct either"},
     {"nominal_area_m2: 1e999\n", 1, "'nominal_area_m2' is 1e999; allowed is 1e-18 to 1e+06 m2"},
     {"convergence: {scales: 1.5}\n", 1, "'scales' is '1.5'; give a whole number"},
-    {"fit_band_m: [1e-5]\n", 1, "'fit_band_m' is a list; give two lengths, as [20 mm, 10 mm]"},
+    {"fit_band_m: [1e-5]\n", 1, "'fit_band_m' is a list; give two lengths, as [10 mm, 20 mm]"},
     {"fit_band_m:\n- 3e-4\n- 8e-6\n", 2, "'fit_band_m' is [0.0003, 8e-06]; give the shorter wavelength first"},
     /* Words. */
     {"level: lines\n", 1, "unknown level 'lines'; did you mean 'line'?"},
@@ -116,7 +116,7 @@ static const struct wrong rows[] = {
     {"shape: {flatness: 5 um}\n", 1, "'flatness' needs 'over'; add it, or leave 'flatness' out"},
     {"shape: {flatness: 5 um, over: 20 mm, crown: 2 m}\n", 1, "'shape' has several of " WAYS},
     {"shape: {size: [1 mm, 2 mm]}\n", 1, "'shape' has none of " WAYS},
-    {"shape: {crown: 2 m, size: 2 mm}\n", 1, "'size' is '2 mm'; give two lengths, as [20 mm, 10 mm]"},
+    {"shape: {crown: 2 m, size: 2 mm}\n", 1, "'size' is '2 mm'; give two lengths, as [10 mm, 20 mm]"},
     /* Every key with a dimension takes its unit, and no other; it goes by one name. */
     {"nominal_area: 0 mm2\n", 1, "'nominal_area' is 0 mm2; allowed is 1e-18 to 1e+06 m2"},
     {"nominal_area_m2: 1e-6\nnominal_area: 1 mm2\n", 2, "'nominal_area' is given twice, first in line 1; remove one"},
@@ -131,11 +131,11 @@ static const struct wrong rows[] = {
      "'unit' is given beside loads that have their own; remove it"},
     {AREA "load: {from: 100 N, to: 10 N}\n", 3, "'from' is 100, above 'to', 10; exchange them"},
     {AREA "load: {from: 1 N, to: 10 N}\noperating_load: 20 N\n", 4,
-     "'operating_load' is 20 N, outside the loads, 1 to 10"},
+     "'operating_load' is 20 N, outside the loads, 1 to 10; correct it or 'load'"},
     {"unload_from: 1e-3\n", 1, "unknown key 'unload_from'; allowed: ..."},
     {"data: full\n", 1, "unknown key 'data'; ..."},
     {"effects: unloading\n", 1, "..."},
-    {"operating_load: 2e-13\n", 1, "'operating_load' is 2e-13, outside the loads, 1e-06 to 0.1"},
+    {"operating_load: 2e-13\n", 1, "'operating_load' is 2e-13, outside the loads, 1e-06 to 0.1; correct it or 'load'"},
     {"\noperating_load: 5 N\n", 2, "'operating_load' is a force, but on which area? add 'nominal_area'"},
     {AREA "load: {from: 1 N, to: 10 N}\noperating_load: 1e-4\nsurfaces: [{file: a.csv}, {file: b.csv, material: "
           "copper}]\n",
