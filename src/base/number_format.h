@@ -6,7 +6,7 @@
 #include "base/text.h"
 
 /** `value` with `digits` significant digits: plain from 0.001 to 99999, else as 1.2·10⁻⁵; "–" when not finite. With
- * one or two digits 4923 is 4900, with more it is whole. */
+ * one digit 4923 is 5000, with two 4900, with more it is whole. */
 void number_format(struct text *out, double value, int digits);
 /** "0.00600 ± 0.00094": both with the same exponent and decimals, at least two digits of either. */
 void number_format_uncertain(struct text *out, double value, double error);

@@ -198,7 +198,7 @@ static const struct unit_row *find_word(const char *word, size_t length, int *ex
 {
     for (size_t p = 0; p < COUNT(unit_prefixes); p++) {
         const char *symbol = unit_prefixes[p].symbol, first = unit_prefixes[p].name[0];
-        if (p > 0 && word[0] != symbol[0] && tolower((unsigned char)word[0]) != first) /* 1 % of `inspect` */
+        if (p > 0 && word[0] != symbol[0] && tolower((unsigned char)word[0]) != first) /* saves 1 % of `inspect` */
             continue;
         for (size_t u = 0; u < COUNT(unit_rows); u++) {
             const struct unit_row *row = &unit_rows[u];

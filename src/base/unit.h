@@ -67,7 +67,7 @@ const char *unit_si(enum unit_quantity quantity);
 /** What one quantity is called, with its article: "a pressure". */
 const char *unit_quantity_name(enum unit_quantity quantity);
 
-/** Units of each of `quantities` for a message: "N, mN, kN, gf or lbf; Pa, kPa, ...". */
+/** Units of each of `quantities` for a message: "N, mN, ...; Pa, kPa, ...". */
 struct unit_known {
     char text[512];
 };

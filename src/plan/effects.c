@@ -110,7 +110,7 @@ static void decide_scale_dependence(struct plan *plan, const struct surface_reco
                           shown(by, 100 * most), most > tolerance ? "" : "little"));
 }
 
-/** Runs if a surface has a single scan. */
+/** Runs if a surface has a single scan, but where the direct solution of maps leads. */
 static void decide_uncertainty(struct plan *plan, const struct surface_record *surfaces, size_t count)
 {
     size_t single = 0;

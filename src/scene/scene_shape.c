@@ -249,16 +249,14 @@ static bool take_columns(struct scene_source *source, const char *file, const st
     for (int c = 0; good && c < columns; c++) {
         const struct measured_unit *unit = &read->units[c];
         if (!unit->known || !unit_of(&unit->unit, c == columns - 1 ? UNIT_PRESSURE : parts ? UNIT_AREA : UNIT_DISTANCE))
-            good = SHAPE_FAIL(source,
-                              "'%s' does not name its units; head it with x [mm], y [mm], p [MPa], or with A "
-                              "[mm2], p [MPa]",
+            good = SHAPE_FAIL(source, "'%s' is not headed x [mm], y [mm], p [MPa], or A [mm2], p [MPa]; head it so",
                               scene_words_show(file).text);
         for (size_t i = 0; good && i < rows; i++) {
             double value = read->rows[i].value[c] * unit->unit.factor;
             room[(size_t)c * rows + i] = value;
             if (!(fabs(value) < largest && (value >= 0 || (!parts && c < 2))))
                 good = SHAPE_FAIL(source, "'%s', line %zu: %s", scene_words_show(file).text, read->rows[i].line,
-                                  fabs(value) < largest ? "less than nothing; pressures and areas are positive"
+                                  fabs(value) < largest ? "negative; correct the pressure or area"
                                                         : "a number is missing or too large");
         }
     }

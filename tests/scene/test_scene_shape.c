@@ -129,13 +129,13 @@ TEST_CASE(test_refused)
         const char *shape, *file, *says;
     } rows[] = {
         {"shape: {pressure: f.csv}\n", "x [mm], y [mm], p [MPa]\n0, 0, 1\n20, 0, -1\n0, 20, 1\n20, 20, 1\n",
-         "scene.yaml:4: 'f.csv', line 3: less than nothing; pressures and areas are positive"},
+         "scene.yaml:4: 'f.csv', line 3: negative; correct the pressure or area"},
         {"shape: {pressure: f.csv}\n", "x [mm], y [mm], p [MPa]\n0, 0, 1\n20, 0, 1\n0, 20, 1\n20, 21, 1\n",
          "'f.csv' has 4 places, no grid of x and y; give each x with each y"},
         {"shape: {pressure: f.csv}\n", "x [mm], y [mm], p [MPa]\n0, 0, 1\n30, 0, 1\n0, 20, 1\n30, 20, 1\n",
          "'f.csv' is 0.03 m long in x, the nominal area 0.02 m; correct 'size' or the file"},
         {"shape: {pressure: f.csv}\n", "x, y, p\n0, 0, 1\n30, 0, 1\n",
-         "'f.csv' does not name its units; head it with x [mm], y [mm], p [MPa], or with A [mm2], p [MPa]"},
+         "'f.csv' is not headed x [mm], y [mm], p [MPa], or A [mm2], p [MPa]; head it so"},
         {"shape: {pressure: f.csv}\n", "x [mm], y [mm], p [K]\n0, 0, 1\n",
          "f.csv:1: 'K' is no unit of pressure; understood: Pa, "},
         {"shape: {pressure: f.csv}\n", "p, x, y\n\"MPa\",\"mm\",\"mm\"\n", "f.csv"}, /* no order is guessed */
