@@ -44,16 +44,17 @@ static json_t *paths_json(const struct scene_files *files)
     return paths;
 }
 
-/** Adds the units that the first scan of a surface lacks, or else the reason why it cannot be used. */
-static void add_lacks(json_t *view, const char *path)
+/** Adds the units that a scan of a surface lacks, or else the reason why it cannot be used. */
+static void add_lacks(json_t *view, const struct scene *scene, const char *file)
 {
+    OWNED(memory_free) char *path = scene_file_path(scene, file);
     struct scan scan;
     struct status problem = {0};
-    enum status_code code = scan_read(&scan, path, &(struct scan_options){0}, &problem);
+    enum status_code code = scan_read(&scan, path ? path : file, &(struct scan_options){0}, &problem);
     if (code == STATUS_OK && scan.kind == SCAN_PROFILE) { /* flat, or with too many gaps? */
         struct profile profile;
         if ((code = profile_make(&profile, &scan, 0, &profile_defaults, &problem)) != STATUS_OK)
-            (void)status_prefix(&problem, "%s", path);
+            (void)status_prefix(&problem, "%s", path ? path : file);
         profile_free(&profile);
     }
     const bool said = *scan.unknown_unit[0] || *scan.unknown_unit[1]; /* a unit, which is none of length */
@@ -64,6 +65,7 @@ static void add_lacks(json_t *view, const char *path)
         json_object_set_new(view, "z_unit", json_string("um"));
     if (code != STATUS_OK && !units)
         json_object_set_new(view, "problem", json_shown(problem.message));
+    status_lost = status_lost || !path;
     scan_free(&scan);
 }
 
@@ -73,7 +75,6 @@ static enum status_code add_surface(json_t *view, const struct scene *scene, con
     json_t *files = paths_json(&surface->files), *along = paths_json(&surface->along),
            *name = json_shown(surface->name);
     bool several = surface->files.count > 1, folder = strchr(surface->files.path[0], '/');
-    OWNED(memory_free) char *path = scene_file_path(scene, surface->files.path[0]);
     bool good = json_string_length(name) <= limit_most(LIMIT_NAME_BYTES) &&
                 json_array_size(files) == surface->files.count && json_array_size(along) == surface->along.count;
     json_t *one =
@@ -82,10 +83,12 @@ static enum status_code add_surface(json_t *view, const struct scene *scene, con
                   surface->along.count > 0, "along", along);
     if (surface->files.count == 1)
         json_object_set(one, "file", json_array_get(json_object_get(one, "files"), 0));
-    if (good && path)
-        add_lacks(one, path);
+    for (size_t k = surface->along.count; good && k-- > 0;)
+        add_lacks(one, scene, surface->along.path[k]);
+    for (size_t k = surface->files.count; good && k-- > 0;) /* the first one's reason stays */
+        add_lacks(one, scene, surface->files.path[k]);
     json_array_append_new(json_object_get(view, good ? "surfaces" : "left_out"), one);
-    return one && path ? status->code : status_memory(status);
+    return one && !status_lost ? status->code : status_memory(status);
 }
 
 /** Do the names of two sub-directories suggest the two sides of a joint? */

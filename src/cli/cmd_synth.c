@@ -53,7 +53,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
     struct arguments *arguments = state->input;
     struct synth_def *def = &arguments->def;
     if (key == 'a') {
-        def->alpha = number("alpha", value, 0, 1e300, false, state);
+        def->alpha = number("alpha", value, 1e-300, 1e300, false, state);
         def->scaled = false;
     } else if (key == 'g')
         def->gamma = number("gamma", value, -1e3, 1e3, false, state);
@@ -64,7 +64,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
     else if (key == 'n')
         def->points = (size_t)number("points", value, 8, 1e8, true, state);
     else if (key == 'c')
-        def->scatter_decades = number("scatter", value, 0, 100, false, state);
+        def->scatter_decades = number("scatter", value, 0, 2, false, state);
     else if (key == 's')
         def->lambda_s_m = command_length("lambda-s", value, state);
     else if (key == 'd')

@@ -228,8 +228,8 @@ TEST_IN_WORKSPACE(test_synth_refuses)
         {"--length", "0", "--length must be a length such as 0.31mm, not '0'", 3},
         {"--length", "1parsec", "--length must be a length such as 0.31mm, not '1parsec'", 3},
         {"--gamma", "nan", "--gamma must be a number from -1000 to 1000, not 'nan'", 3},
-        {"--alpha", "-1", "--alpha must be a number from 0 to 1e+300, not '-1'", 3},
-        {"--scatter", "-1", "--scatter must be a number from 0", 3},
+        {"--alpha", "0", "--alpha must be a number from 1e-300 to 1e+300, not '0'", 3},
+        {"--scatter", "3", "--scatter must be a number from 0 to 2, not '3'", 3},
         {"--alpha", "1e300", "Rq would be above 1e+30 m", 1}, /* what is written can be read again */
         {"--gamma", "-300", "Rq would be above 1e+30 m", 1},
         {"--rq", "1e200m", "Rq would be above 1e+30 m", 1},

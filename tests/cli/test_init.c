@@ -96,8 +96,8 @@ TEST_IN_WORKSPACE(what_is_to_be_filled_in)
     expect_part(before.err, after.err); /* but for the picture, which is passed over last or first */
     expect_in_file(place, "d/scene.yaml", "\n# passed over, no scan: 1 x PNG picture (picture.png)\n",
                    "file: \"both.csv\"\n    # x_unit: mm ", "\n    # z_unit: um ",
-                   "file: \"short.csv\"\n    # This is refused as it stands: ",
-                   "test.csv\"\n    # This is refused as it stands: d/test.csv: x in 'N' is no scan",
+                   "file: \"short.csv\"\n    # A scan is refused as it stands: ",
+                   "test.csv\"\n    # A scan is refused as it stands: d/test.csv: x in 'N' is no scan",
                    "file: \"z.csv\"\n    # z_unit: um ");
     /* with every line in force it is a scene, too */
     workspace_shell(place, "sed -i -E 's/^( *)# ([a-z_]+:)/\\1\\2/' d/scene.yaml");
@@ -116,11 +116,13 @@ TEST_IN_WORKSPACE(what_is_refused)
 {
     workspace_scan(place, "d/a.csv", 200, 1);
     workspace_shell(place, "cd d && awk -F, 'NR > 1 { $2 = 1 } 1' OFS=, a.csv > flat.csv && "
-                           "awk -F, 'NR > 50 && NR < 90 { $2 = \"NaN\" } 1' OFS=, a.csv > gaps.csv");
+                           "awk -F, 'NR > 50 && NR < 90 { $2 = \"NaN\" } 1' OFS=, a.csv > gaps.csv && "
+                           "cp a.csv w-1.csv && cp flat.csv w-2.csv && cp a.csv u-1.csv && tail -n +2 a.csv > u-2.csv");
     run_to_exit(place, 0, "init", "d");
-    static const char refused[] = "    # This is refused as it stands: d/";
+    static const char refused[] = "    # A scan is refused as it stands: d/";
     expect_in_file(place, "d/scene.yaml", filled("file: \"flat.csv\"\n%sflat.csv: the scan is flat", refused),
-                   filled("file: \"gaps.csv\"\n%sgaps.csv: 39 of 200 heights are missing", refused));
+                   filled("file: \"gaps.csv\"\n%sgaps.csv: 39 of 200 heights are missing", refused),
+                   filled("- \"w-2.csv\"\n%sw-2.csv: the scan is flat", refused), "- \"u-2.csv\"\n    # x_unit: ");
     expect_not_in_file(place, "d/scene.yaml", filled("%sa.csv", refused));
 }
 
