@@ -45,7 +45,7 @@ static const struct argp_option scene_options[] = {
     {"tolerance", 't', "REL", 0, "relative tolerance of closed forms, 1e-14 to 0.1 (default: the scene's, else 1e-6)",
      1},
     {"accuracy", KEY_ACCURACY, "SHARE", 0,
-     "run the cheapest model alone whose 95 % error is at most that, as 200% (default: the scene's, else all run)", 1},
+     "run the cheapest model whose 95 % error is at most that, as 200% (default: the scene's, else all run)", 1},
     {"budget", KEY_BUDGET, "TIME", 0,
      "solve directly too, on the grid and as many surfaces as take so long on one core, by count, not by the clock "
      "(default: the scene's)",

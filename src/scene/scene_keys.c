@@ -403,7 +403,7 @@ const struct scene_key scene_keys[] = {
      SCENE_NUMBER(AT(tolerance), 1e-14, 0.1)},
     {"accuracy",
      "that 95 of 100 answers are to lie within, as 200 % (a factor of 3): of the models that docs/validation.md finds "
-     "as good the cheapest runs alone; default: none is asked, and all run",
+     "as good the cheapest runs; default: none is asked, and all run",
      SCENE_QUANTITY(AT(accuracy), UNIT_NUMBER | UNIT_PERCENT, 1e-3, 1e3)},
     {"level",
      "what is taken out of a profile; a map that is solved directly loses its plane; default: line, of a periodic "
