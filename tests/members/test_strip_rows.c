@@ -366,7 +366,7 @@ TEST_CASE(strips_are_left_out)
     } rows[] = {
         {{true, true}, NULL, "strip", "every report has it"},
         {{true, false}, NULL, "strip", "every report has it"}, /* which has no number on the other */
-        {{false, false}, NULL, "corrected-persson", "every report has it; no strip transfer, as no surface has one"},
+        {{false, false}, NULL, "corrected-persson", "every report has it; no surface has strips"},
         {{false, false}, "statistical", "gw", "every report has it"},
     };
     for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
