@@ -16,7 +16,7 @@ const char *const power_law_band_class_names[] = {"no power law found", "scatter
 
 static const double one_law_square = 0.05 * 0.05; /* decades²: a smaller misfit does not divide one power law */
 static const double piece_penalty = 4;            /* times ln J for each piece */
-/* Below least_gamma: a plateau or noise. Above most_gamma: the flank of a filter. It is above 2.2, since half of all laws
+/* Below least_gamma: a plateau or noise. Above most_gamma: the flank of a filter. It is above 2.2, as half of all laws
  * of 2.2 are found steeper. */
 static const double least_gamma = 0.5, most_gamma = 2.28;
 static const double steep_gamma = 1.75; /* above it, waves longer than the record leak into the first harmonics */
