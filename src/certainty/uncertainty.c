@@ -307,8 +307,9 @@ enum status_code uncertainty_of_map(struct surface_record *record, size_t m, con
         }
         joint_carry_sd(sd, point, model_rows[m], joint);
         for (int q = 0; q < QUANTITY_COUNT; q++) {
-            double value = quantity_shown(point, (enum quantity)q, record->summary.asperities.sigma_m);
-            bool banded = quantity_rows[q].is & QUANTITY_BANDED;
+            const double value = quantity_shown(point, (enum quantity)q, record->summary.asperities.sigma_m);
+            const bool banded =
+                (quantity_rows[q].is & QUANTITY_BANDED) && !model_is_overloaded(model_rows[m], point, joint->pair);
             own[q] = banded ? estimate_of_error(value, sd[q], MAP_DEGREES) : estimate_none;
         }
         ensemble_hold(own, point, model_rows[m], joint);

@@ -615,8 +615,7 @@ static bool one_direction(struct claims *c)
                  two = model_factor(model_sd(leading, c->asked.quantity, true));
     bool some = false;
     for (size_t k = 0; k < c->results->usable_count; k++)
-        some = some || (!summary_of(c, usable(c, k))->has_lay && !nothing_touches(c, usable(c, k)) &&
-                        !known_value(c->results, c->asked.quantity, usable(c, k)).measured);
+        some = some || (!summary_of(c, usable(c, k))->has_lay && isfinite(factor_on(c, usable(c, k))));
     c->weight = one / two;
     put(c, "one", one);
     put(c, "two", two);

@@ -149,15 +149,19 @@ double model_elastic_share(const struct model_row *row, const struct contact_poi
     return row->plastic && !isnan(share) ? fmax(share, 0) : 1;
 }
 
-bool model_area_is_pressed(const struct model_row *row, const struct contact_point *point, double load_over_hardness)
+bool model_area_is_pressed(const struct model_row *row, const struct contact_point *point,
+                           const struct material_pair *pair)
 {
-    double area = point->value[QUANTITY_AREA];
-    return row->plastic && area < 1 && fabs(area / load_over_hardness - 1) < 1e-3;
+    const double *value = point->value, pressure_Pa = material_pair_pressure(pair, value[QUANTITY_LOAD]);
+    return row->plastic && value[QUANTITY_AREA] < 1 &&
+           fabs(value[QUANTITY_AREA] * pair->hardness_Pa / pressure_Pa - 1) < 1e-3;
 }
 
-bool model_is_overloaded(const struct model_row *row, const struct contact_point *point, double load_over_hardness)
+bool model_is_overloaded(const struct model_row *row, const struct contact_point *point,
+                         const struct material_pair *pair)
 {
-    return !row->plastic && point->value[QUANTITY_AREA] > 0 && load_over_hardness > point->value[QUANTITY_AREA];
+    const double *value = point->value, pressure_Pa = material_pair_pressure(pair, value[QUANTITY_LOAD]);
+    return !row->plastic && value[QUANTITY_AREA] > 0 && pressure_Pa > pair->hardness_Pa * value[QUANTITY_AREA];
 }
 
 bool model_curve_bears(const struct model_curve *curve, double load)

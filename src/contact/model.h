@@ -193,11 +193,11 @@ double model_factor(double ln_sd);
 double model_elastic_share(const struct model_row *row, const struct contact_point *point, double load_over_hardness);
 /** Is the area P/H to within a thousandth? Then it is the same for every surface, and more scans change nothing. Not at
  * full contact. */
-bool model_area_is_pressed(const struct model_row *row, const struct contact_point *point, double load_over_hardness);
-/** Does an elastic model's contact bear more than the hardness? Such a contact cannot exist, and its error is not
- * known.
- */
-bool model_is_overloaded(const struct model_row *row, const struct contact_point *point, double load_over_hardness);
+bool model_area_is_pressed(const struct model_row *row, const struct contact_point *point,
+                           const struct material_pair *pair);
+/** Does an elastic model's contact bear more than the hardness? It cannot exist, and its error is not known. */
+bool model_is_overloaded(const struct model_row *row, const struct contact_point *point,
+                         const struct material_pair *pair);
 
 /** Is the mean pressure below what the softer body bears, as far as it ends a model's answers? */
 bool model_curve_bears(const struct model_curve *curve, double load);

@@ -357,8 +357,6 @@ void ensemble_hold(struct estimate estimates[QUANTITY_COUNT], const struct conta
 void ensemble_settle(struct estimate estimates[QUANTITY_COUNT], const struct contact_point *point,
                      const struct model_row *model, const struct joint_task *joint, struct scans_reach reach)
 {
-    const double over_hardness =
-        material_pair_pressure(joint->pair, point->value[QUANTITY_LOAD]) / joint->pair->hardness_Pa;
     double sd[QUANTITY_COUNT];
     joint_model_sd(sd, point, model, joint, reach);
     for (int q = 0; q < QUANTITY_COUNT; q++) {
@@ -369,10 +367,9 @@ void ensemble_settle(struct estimate estimates[QUANTITY_COUNT], const struct con
             estimates[q] = estimate_none;
     }
     ensemble_hold(estimates, point, model, joint);
-    if (model_area_is_pressed(model, point, over_hardness))
+    if (model_area_is_pressed(model, point, joint->pair))
         estimates[QUANTITY_AREA].half_width = estimates[QUANTITY_AREA].next_half_width = NAN;
-    bool yields = (joint->effects & EFFECT_BIT(EFFECT_PLASTICITY)) && model_is_overloaded(model, point, over_hardness);
-    for (int q = 0; q < QUANTITY_COUNT && yields; q++)
+    for (int q = 0; q < QUANTITY_COUNT && model_is_overloaded(model, point, joint->pair); q++)
         estimates[q].half_width = estimates[q].next_half_width = NAN;
 }
 

@@ -26,9 +26,7 @@ bool comparison_overloaded(const struct results *results, size_t model, size_t s
 {
     const struct contact_point at = comparison_middle(results, model, surface);
     const struct material_pair *pair = results_pair(results, surface);
-    return !pair->unknown &&
-           model_is_overloaded(model_rows[model], &at,
-                               material_pair_pressure(pair, at.value[QUANTITY_LOAD]) / pair->hardness_Pa);
+    return !pair->unknown && model_is_overloaded(model_rows[model], &at, pair);
 }
 
 double comparison_heights_factor(const struct results *results, size_t surface)

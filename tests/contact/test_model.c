@@ -207,20 +207,27 @@ TEST_CASE(test_area_of_load_and_hardness)
     const struct model_row *plastic = model_rows[model_named("strip-plastic")];
     for (double elastic = 1e-4; elastic < 0.9; elastic *= 1.3) {
         const double ratio = 0.02, step = 1e-5;
+        const struct material_pair hard = {.effective_modulus_Pa = 1, .hardness_Pa = 1e-3 / ratio},
+                                   unknown = {.effective_modulus_Pa = 1, .hardness_Pa = NAN};
         struct contact_point at = quantity_nothing();
+        at.value[QUANTITY_LOAD] = 1e-3;
         at.value[QUANTITY_AREA] = bearing_area(elastic, ratio);
         double slope =
             log(bearing_area(elastic * exp(step), ratio) / bearing_area(elastic * exp(-step), ratio)) / (2 * step);
         assert_within(model_elastic_share(plastic, &at, ratio), slope, 1e-8);
-        assert_int_equal(model_area_is_pressed(plastic, &at, ratio), at.value[QUANTITY_AREA] < ratio * 1.001);
-        assert_false(model_area_is_pressed(plastic->elastic, &at, ratio));
-        assert_false(model_area_is_pressed(plastic, &at, NAN));
+        assert_int_equal(model_area_is_pressed(plastic, &at, &hard), at.value[QUANTITY_AREA] < ratio * 1.001);
+        assert_false(model_area_is_pressed(plastic->elastic, &at, &hard));
+        assert_false(model_area_is_pressed(plastic, &at, &unknown));
+        assert_int_equal(model_is_overloaded(plastic->elastic, &at, &hard), at.value[QUANTITY_AREA] < ratio);
+        assert_false(model_is_overloaded(plastic->elastic, &at, &unknown));
         assert_within(model_elastic_share(plastic->elastic, &at, ratio), 1, 0);
         assert_within(model_elastic_share(plastic, &at, NAN), 1, 0);
     }
     struct contact_point full = quantity_nothing();
     full.value[QUANTITY_AREA] = 1;
-    assert_false(model_area_is_pressed(plastic, &full, 1));
+    full.value[QUANTITY_LOAD] = 1;
+    assert_false(
+        model_area_is_pressed(plastic, &full, &(struct material_pair){.effective_modulus_Pa = 1, .hardness_Pa = 1}));
 }
 
 /* What a model says of itself, and of scans that hold few of their longest waves; only of open ends, and only where it

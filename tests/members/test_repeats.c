@@ -21,12 +21,16 @@ static struct ensemble set_of(size_t count, const size_t *scan, const double *we
         .members = parts, .count = count, .scan_weight = weights, .scan_count = count > 0 ? scan[count - 1] + 1 : 0};
 }
 
-/* The curve of a set, whose band is the test's. */
+/* The curve of a set, whose band is the test's. An elastic one has a band where nothing would yield. */
 static struct ensemble_result run_set(struct model_curve *curve, const struct ensemble *set,
                                       const struct model_row *model, const struct model_task *task)
 {
+    struct material_pair pair = *task->pair;
+    struct model_task own = *task;
+    pair.hardness_Pa = model->plastic ? pair.hardness_Pa : INFINITY;
+    own.pair = &pair;
     struct ensemble_result result = {.band = test_owns(ensemble_band_make(task->loads, task->load_count), free)};
-    expect_ok(ensemble_curve, curve, &result, set, model, task);
+    expect_ok(ensemble_curve, curve, &result, set, model, &own);
     return result;
 }
 

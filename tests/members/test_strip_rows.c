@@ -302,6 +302,9 @@ FREED(a_curve_from_strips)
     static const enum quantity quantities[] = {QUANTITY_AREA, QUANTITY_SEPARATION, QUANTITY_ECR};
     const struct model_row *model = model_rows[model_named("strip")];
     struct model_task task = three_scans(loads, LOADS);
+    struct material_pair hard = *task.pair; /* an elastic contact that would yield has no interval */
+    hard.hardness_Pa = INFINITY;
+    task.pair = &hard;
     struct contact_point points[LOADS + 1], own_points[4][LOADS + 1];
     struct model_curve curve, own[4];
     for (size_t p = 0; p < 4; p++) { /* the fourth is the joined rows' */
