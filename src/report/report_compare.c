@@ -257,7 +257,8 @@ static void put_side(json_t *line, const struct side *side, double scale)
     json_set(line, "low_95", side->ends[0]);
     json_set(line, "high_95", side->ends[1]);
     view_number(shown, "value", side->value * scale, 3, "");
-    (void)view_interval(shown, side->ends[0] * scale, side->ends[1] * scale, "\u00a0…\u00a0");
+    const struct known as = {.kind = KNOWN_VALUE, .value = side->value, .low = side->ends[0], .high = side->ends[1]};
+    (void)view_interval(shown, side->ends[0] * scale, side->ends[1] * scale, known_digits(&as), "\u00a0…\u00a0");
 }
 
 /** What a test of a line against another found. */

@@ -44,10 +44,10 @@ void view_range(json_t *out, const char *name, double least, double most)
         json_object_set_new(out, name, json_pack("{s:f, s:f}", "least", least, "most", most));
 }
 
-bool view_interval(json_t *out, double low, double high, const char *between)
+bool view_interval(json_t *out, double low, double high, int digits, const char *between)
 {
     OWNED(text_free) struct text shown = {0};
-    const bool told = number_format_range(&shown, low, high, 2, between);
+    const bool told = number_format_range(&shown, low, high, digits, between);
     if (told)
         json_object_set_new(out, "interval", json_string(text_string(&shown)));
     return told;

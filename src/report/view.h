@@ -50,8 +50,8 @@ void view_text(json_t *out, const char *name, const char *string);
 void view_number(json_t *out, const char *name, double value, int digits, const char *unit);
 /** Sets two numbers, `least` and `most`, for templates to word; nothing where one is not finite. */
 void view_range(json_t *out, const char *name, double least, double most);
-/** Sets `interval`, "0.15–1.1" or "≥ 0.15" in two digits; false: nothing, as no end is known or both read alike. */
-bool view_interval(json_t *out, double low, double high, const char *between);
+/** Sets `interval`, "0.15–1.1" or "≥ 0.15"; false: nothing, as no end is known or both read alike. */
+bool view_interval(json_t *out, double low, double high, int digits, const char *between);
 /** Sets a count; nothing of 0. */
 void view_some(json_t *out, const char *name, size_t count);
 /** A new object with `count` and whether it is `one`, which `only` (NULL: it has no name) is the `surface` of; nothing
