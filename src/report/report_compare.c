@@ -597,10 +597,12 @@ enum status_code report_compare(json_t **out, char *const *paths, size_t count, 
     view_flag(view, "carried", all.carried);
     if (status->code == STATUS_OK && all.items > limit_most(LIMIT_COMPARED))
         (void)status_fail(status, STATUS_SCAN, "too much differs%s", limit_words(LIMIT_COMPARED).text);
-    if (status->code == STATUS_OK && all.ranked_count < 2)
+    if (status->code == STATUS_OK && all.ranked_count < 2 && !all.any)
         (void)status_fail(status, STATUS_SCAN, "nothing to compare: no two surfaces have a number of '%s'",
                           all.leading);
-    if (status->code == STATUS_OK)
+    if (all.ranked_count < 2) /* none is ranked: their numbers stand side by side */
+        json_object_del(view, "without");
+    else if (status->code == STATUS_OK)
         (void)add_ranking(view, &all, status);
     while (all.count > 0) {
         json_decref(all.results[--all.count]);

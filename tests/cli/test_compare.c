@@ -326,6 +326,22 @@ static void set_scene(const char *place, const char *out, const char *keys)
     workspace_shell(place, filled("sed -i 's|\"tolerance\": 1e-6|%s|' %s/results.json", keys, out));
 }
 
+/* Where fillers keep the metals apart nothing is ranked by the metals' resistance, and h_j stands side by side. */
+TEST_IN_WORKSPACE(bond_lines_are_compared)
+{
+    workspace_scan(place, "d/a.csv", 200, 1);
+    for (int mm = 1; mm <= 2; mm++) {
+        workspace_write(place, "d/scene.yaml",
+                        filled("models: [corrected-persson]\nmaterial: tin\noperating_load: 1 MPa\n"
+                               "gap: {filler: pad, bond_line: %d mm}\n",
+                               mm));
+        run_to_exit(place, 0, "report", "d", "-o", mm == 1 ? "thin" : "thick", "--no-cost", "--brief");
+    }
+    json_t *view = compare(place, "thin", "thick", "h_j (W/(m²·K))");
+    at(view, "ranking", "");
+    at(view, "without", "");
+}
+
 /* Numbers whose errors overlap are the same, and so are inputs that differ in the eleventh digit. */
 TEST_IN_WORKSPACE(rounding_is_no_difference)
 {
