@@ -15,6 +15,8 @@ static void fit_area_slope(struct curve_summary *model, const struct model_curve
     double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
     for (size_t i = 0; i < curve->count; i++) {
         const struct contact_point *point = &curve->points[i];
+        if (i + 1 < curve->count && point->value[QUANTITY_AREA] == point[1].value[QUANTITY_AREA])
+            break; /* a bond line holds it from here on */
         if (point->value[QUANTITY_AREA] >= slope_area || !(point->value[QUANTITY_AREA] > 0))
             continue;
         double x = log(point->value[QUANTITY_LOAD]), y = log(point->value[QUANTITY_AREA]);

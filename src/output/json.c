@@ -36,7 +36,7 @@ json_t *json_joint(const struct results *results)
     if (gap) {
         const char *names[] = {[JOINT_VACUUM] = "vacuum", [JOINT_GAS] = "", [JOINT_MEDIUM] = "medium"};
         json_object_set_new(json, "gap", json_string(joint->gas ? joint->gas->name : names[joint->fill]));
-        if (joint->fill == JOINT_GAS) {
+        if (joint->fill == JOINT_GAS && joint->pressure_Pa > 0) { /* without pressure the gaps are empty */
             json_set(json, "gap_pressure_Pa", joint->pressure_Pa);
             json_set(json, "accommodation", joint->accommodation);
         } else if (joint->fill == JOINT_MEDIUM)

@@ -51,10 +51,11 @@ static void put_change(json_t *item, const struct view_source *source, enum effe
 {
     const double of = accuracy_effect_factor(source->results, effect, source->asked.quantity),
                  factor = source->asked.reciprocal ? 1 / of : of;
-    const bool alike = fabs(factor - 1) < 0.1; /* of which two digits of a factor say little */
+    const double change = fabs(factor - 1) < source->results->scene->tolerance ? 0 : factor - 1;
+    const bool alike = fabs(change) < 0.1; /* of which two digits of a factor say little */
     view_flag(item, "adds", effect_rows[effect].adds);
     view_flag(item, "studies", effect_rows[effect].studies);
-    json_set(item, alike ? "change" : "factor", alike ? factor - 1 : factor);
+    json_set(item, alike ? "change" : "factor", alike ? change : factor);
 }
 
 static void put_effects(json_t *out, const struct view_source *source)

@@ -65,16 +65,16 @@ double accuracy_effect_factor(const struct results *results, enum effect effect,
     if (!plan_runs(results->plan, effect) || effect_rows[effect].adds || effect_rows[effect].studies ||
         (effect != EFFECT_SHAPE && effect != EFFECT_PLASTICITY && plan_runs(results->plan, EFFECT_SHAPE)))
         return NAN; /* in the last case the shape would have to be solved again */
-    if (effect == EFFECT_PLASTICITY) {
-        if (!row->elastic)
-            return NAN;
+    if (effect == EFFECT_PLASTICITY && row->elastic)
         without = comparison_middle(results, model_index(row->elastic), surface);
-        return with.value[quantity] / without.value[quantity];
-    }
+    if (effect == EFFECT_PLASTICITY)
+        return row->elastic ? with.value[quantity] / without.value[quantity] : NAN;
     const struct surface_record *record = &results->surfaces[surface];
     const struct surface_task asked = results_task(results, surface);
     const struct model_task task = surface_model_task(record, &asked);
     struct joint_task joint = surface_joint(record, results->scene, results->plan, &task);
+    if (effect == EFFECT_GAP && joint_is_held(&with, &joint))
+        return NAN; /* without the filler the metals would come closer */
     joint.effects &= ~EFFECT_BIT(effect);
     for (enum quantity q = 0; q < QUANTITY_COUNT; q++)
         without.value[q] = quantity_of_joint(q) ? NAN : with.value[q];

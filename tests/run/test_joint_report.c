@@ -497,6 +497,7 @@ TEST_IN_PLACE(flatness_that_is_not_given)
 /** Vacuum conducts nothing, and a film of 0 adds nothing; the report says what is in the joint. */
 TEST_IN_PLACE(sentences)
 {
+    expect_no_parts(report_of(place, "gap: {gas: argon, pressure: 0}\n"), "argon at");
     char *report = report_of(place, "gap: {gas: vacuum}\nfilm: 0\n");
     struct table contact = directory_table(place, "out/data/contact.csv");
     for (size_t i = 0; i < contact.rows; i++) {
@@ -585,7 +586,8 @@ TEST_IN_PLACE(a_bond_line_that_keeps_the_metals_apart)
         }
         if (thick)
             expect_parts(report, "no load is known for *a*", "**The filler carries all heat:** its 25.0\u00a0µm keep",
-                         "| – | 3.20·10⁴ | ✗ missed |");
+                         "| – | 3.20·10⁴ | ✗ missed |",
+                         "- gap: the scene has 'gap'\n"); /* no factor: it holds the metals */
         else
             expect_no_parts(report, "The filler carries all heat");
     }
@@ -612,6 +614,9 @@ TEST_IN_PLACE(a_bond_line_between_parts_that_are_not_flat)
     }
     double flat = number(&contact, LAST, "joint_W_per_m2K"), asked = (shape[0] + shape[1]) / 2;
     assert_true(shape[1] > shape[0] * (1 + 1e-6) && flat > shape[1]);
+    expect_in_file(place, "out/report.md", "- shape: the scene has 'shape'; conductance");
+    char *even = report_on(place, filled(with, 1e-4, "")); /* what fills the gaps evenly conducts so on any shape */
+    expect_parts(even, "- shape: the scene has 'shape'; conductance changes by 0 %");
     (void)report_on(place, filled(with, gap_m,
                                   filled("targets: [{conductance: %.9g W/m2/K}, {conductance: %.9g W/m2/K}]\n", asked,
                                          1.01 * flat)));
