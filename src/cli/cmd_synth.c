@@ -28,7 +28,7 @@ static const struct argp_option options[] = {
      0},
     {"lambda-s", 's', "LENGTH", 0, "short-wavelength cut-off, as stylus instruments apply one (default: none)", 0},
     {"map", KEY_MAP, 0, 0,
-     "a square map of that many points a side, Gaussian and isotropic, whose rows have the law; waves longer than a "
+     "a square map of N points (-n) a side, Gaussian and isotropic, whose rows have the law; waves longer than a "
      "quarter of its length are as high as that. Written as binary SDF (ISO 25178-71) of 16 bits a height",
      0},
     {"seed", 'd', "N", 0, "of the random numbers (default 1)", 0},

@@ -28,43 +28,41 @@ static enum status_code read_counterface(struct all_surfaces *out, const struct 
     return STATUS_OK;
 }
 
-/** Words for the direct solution: what is solved, and its expected time. */
-static const char *say_direct(const struct plan *plan, const struct direct_plan *first, size_t surfaces,
-                              double budget_s)
+/** Words for the direct solution: of how many surfaces, what is solved of one, and its expected time. */
+static const char *say_direct(const struct plan *plan, const struct results *results, size_t surface, size_t surfaces)
 {
+    const struct surface_summary *summary = &results->surfaces[surface].summary;
+    const struct direct_plan *first = summary->direct;
     const bool minutes = first->seconds >= 100;
     const char *of = first->side > 0
                          ? words_say(plan->words, "direct.map\n%s", first->mirrored ? "mirrored" : "")
                          : words_say(plan->words, "direct.surfaces\nseeds %zu\n%s\n%s", first->seeds,
                                      first->seeds == 1 ? "one_seed" : "", first->fine_times > 1 ? "finer" : "");
-    const char *study =
-        words_say(plan->words, "direct.study\ngrid %zu\nof %s\nloads %zu\n%s\ntime %.2g %s\n%s\n%s\nbudget %g",
-                  first->grid, of, first->loads, first->loads == 1 ? "one_load" : "",
-                  minutes ? first->seconds / 60 : first->seconds, minutes ? "min" : "s",
-                  first->of_spacing ? "of_spacing" : "", first->over_budget ? "over_budget" : "", budget_s);
-    return words_say(plan->words, "direct.planned\n%s\nsurfaces %zu\n%s\nstudy %s",
+    const char *study = words_say(
+        plan->words, "direct.study\ngrid %zu\nof %s\nloads %zu\n%s\ntime %.2g %s\n%s\n%s\nbudget %g", first->grid, of,
+        first->loads, first->loads == 1 ? "one_load" : "", minutes ? first->seconds / 60 : first->seconds,
+        minutes ? "min" : "s", first->of_spacing ? "of_spacing" : "", first->over_budget ? "over_budget" : "",
+        results->scene->direct.budget_s);
+    return words_say(plan->words, "direct.planned\n%s\nsurfaces %zu\n%s\nstudy %s\nname\t%s",
                      plan_runs(plan, EFFECT_DIRECT) ? "called" : "", surfaces, surfaces == 1 ? "one_surface" : "",
-                     study);
+                     study, summary->scene->name);
 }
 
 /** The direct solution's part of the plan. */
 static void plan_direct(struct plan *plan, const struct results *results)
 {
     const bool runs = plan_runs(plan, EFFECT_DIRECT);
-    const struct direct_plan *first = NULL, *none = results->surfaces[results->baseline].summary.direct;
-    size_t surfaces = 0;
+    const struct direct_plan *none = results->surfaces[results->baseline].summary.direct;
+    size_t surfaces = 0, first = 0;
     if (!none)
         return;
-    for (size_t i = 0; i < results->surface_count; i++) {
-        if (!results_solves(results, i))
-            continue;
-        first = first && i != results->baseline ? first : results->surfaces[i].summary.direct;
-        surfaces++;
-    }
+    for (size_t i = 0; i < results->surface_count; i++)
+        if (results_solves(results, i))
+            first = surfaces++ > 0 && i != results->baseline ? first : i;
     plan_decide(plan, EFFECT_DIRECT, runs,
-                first ? say_direct(plan, first, surfaces, results->scene->direct.budget_s)
-                      : words_say(plan->words, "direct.impossible\n%s\nwhy\t%s", runs ? "called" : "",
-                                  direct_plan_problem(none, plan->words)));
+                surfaces > 0 ? say_direct(plan, results, first, surfaces)
+                             : words_say(plan->words, "direct.impossible\n%s\nwhy\t%s", runs ? "called" : "",
+                                         direct_plan_problem(none, plan->words)));
 }
 
 /** The loads P/(A_n E') of every surface: one list for all, or one each if their moduli differ. */

@@ -88,6 +88,11 @@ TEST_IN_WORKSPACE(test_plan_and_budget)
     write_scene(place, "nominal_area: 1 mm2\ndirect: {budget: 60 ms}\n");
     report_scene(place, "out", NULL);
     directory_expect_same(place, "line/data/direct.csv", "out/data/direct.csv");
+    workspace_scan(place, "d/b.csv", 400, 4);
+    workspace_write(place, "d/scene.yaml",
+                    "material: tin\nbaseline: b\ndirect: {surfaces: all, budget: 60 ms}\n"
+                    "surfaces: [{name: a, file: a.csv}, {name: b, file: b.csv}]\n");
+    expect_output(expect_exit(place, 0, "plan", "d"), "called for on 2 surfaces; b: 64 x 64 points");
 }
 
 /* Barber: stiffness and conductance of an elastic contact are proportional, k ECR A_n = E' rho; for the models, too. */

@@ -260,7 +260,7 @@ TEST_IN_DIRECTORY(pictures_and_spots)
         "operating_load: 1e-3\nsurfaces: [{name: \"a'/]]><\", file: a.csv}, {name: \"a''/]]><\", file: b.csv}]\n";
     run_scene(place, "out", scene);
     expect_in_file(place, "out/report.md", " % of the points in contact, in ",
-                   " % of these have yielded (at the hardness)", "](figures/map-a------.svg)",
+                   " % of these points have yielded (at the hardness)", "](figures/map-a------.svg)",
                    "](figures/map-a-------.svg)");
     expect_in_file(place, "out/figures/map-a------.svg", "<image", "data:image/png;base64,", "in contact");
     struct table spots = directory_table(place, "out/data/contact_spots.csv");
