@@ -20,7 +20,8 @@ static void put_known(json_t *out, json_t *row, const char *name, const struct v
         number_format(&text, known.value, known_digits(&known));
     json_t *cell = view_part(row, name);
     view_text(cell, "value", text_string(&text));
-    if (!known.measured && view_interval(cell, known.low, known.high, known_digits(&known), "–"))
+    if (known.kind == KNOWN_VALUE && !known.measured &&
+        view_interval(cell, known.low, known.high, known_digits(&known), "–"))
         view_flag(out, target ? "load_95" : "value_95", true);
     view_flag(cell, "measured", known.measured && !known.beyond && known.kind != KNOWN_NOTHING);
     view_flag(cell, "overloaded", known.overloaded);

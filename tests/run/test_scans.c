@@ -130,7 +130,7 @@ static double half_of(double s, double model)
  * ECR and 1.85 of a separation, by Satterthwaite. The mean lies in it, and it in that of another scan. */
 TEST_IN_DIRECTORY(the_interval_of_two)
 {
-    static const char elastic[] = "effects: [separation, electrical]\n";
+    static const char elastic[] = "effects: [separation, electrical]\nhardness: 900 GPa\n";
     double ln[2], ln_gap[2];
     rough(place, "in/0.csv", POINTS, 1, 1);
     rough(place, "in/1.csv", POINTS, 1, 2);
@@ -392,7 +392,8 @@ TEST_IN_DIRECTORY(two_rough_bodies)
     }
     for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
         report(place, "out",
-               filled("effects: [separation, electrical, uncertainty]\nmodels: [strip]\ncounterface: {surface: '%s'}\n",
+               filled("hardness: 900 GPa\neffects: [separation, electrical, uncertainty]\nmodels: "
+                      "[strip]\ncounterface: {surface: '%s'}\n",
                       cases[k].other),
                filled("{name: m, file: '%s'}", cases[k].own));
         assert_near(of_resistance(place, "out", "strip", "degrees_of_freedom"), cases[k].degrees, 0);
@@ -414,11 +415,13 @@ TEST_IN_DIRECTORY(a_scan_that_changes)
     def.length_m = 5e-7 * 4 * POINTS;
     def.gamma = 0.8;
     expect_ok(synth_profile, height_m, &def);
+    for (size_t i = 0; i < 4 * POINTS; i++) /* so flat that nothing bears more than the hardness */
+        height_m[i] *= 0.01;
     for (int k = 0; k < 2; k++) {
         for (size_t i = 2 * POINTS; k == 1 && i < 4 * POINTS; i++)
             height_m[i] *= 100;
         pipeline_scan(place, "in/0.csv", height_m, 4 * POINTS);
-        report(place, "out", "effects: [separation, electrical, uncertainty]\nmodels: [strip]\n",
+        report(place, "out", "hardness: 900 GPa\neffects: [separation, electrical, uncertainty]\nmodels: [strip]\n",
                "{name: m, file: 0.csv}");
         assert_near(of_resistance(place, "out", "strip", "degrees_of_freedom"), 4, 0);
         width[k] = width_of(place, "out", "strip");
