@@ -233,7 +233,8 @@ static bool put_known(struct claims *c, const struct scene_asked *target, size_t
     const struct known known = known_shown(c->results, &c->asked, target, surface);
     const struct asked_load load = asked_load_of(c->results, surface);
     OWNED(text_free) struct text value = {0}, interval = {0};
-    const bool is = known.kind == KNOWN_VALUE, has = number_format_range(&interval, known.low, known.high, 2, "–");
+    const bool is = known.kind == KNOWN_VALUE,
+               has = number_format_range(&interval, known.low, known.high, known_digits(&known), "–");
     const char *const kind = known.kind == KNOWN_AT_MOST       ? "most"
                              : known.kind == KNOWN_MORE_THAN   ? "more"
                              : known.measured && !known.beyond ? "measured"
