@@ -309,7 +309,6 @@ enum status_code measured_fit(struct measured_answers *out, const struct measure
         if (of.count > before)
             mean[of.runs++] = exp(sum / (double)(of.count - before));
     }
-    out->fitted = m;
     out->exponent = (struct measured_exponent){.measured = NAN, .model = NAN, .sd = NAN};
     if (of.count >= of.runs + 3)
         find_exponent(&out->exponent, &of);

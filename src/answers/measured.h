@@ -38,9 +38,7 @@ struct measured_exponent {
 struct measured_answers {
     double *resistance;  /* [model][measured point]; NaN: outside the loads, or none */
     struct estimate fit; /* measured over modelled conductance: measured_fit(); count 0: none */
-    size_t fitted;       /* the model */
     struct measured_exponent exponent;
-    bool carried; /* targets are solved with that factor */
 };
 
 /** A resistance as a value of the quantity that it is compared with, which may be a conductance; and back. */

@@ -213,8 +213,8 @@ static json_t *measured_json(const struct results *results, size_t index)
     const char *quantity = quantity_rows[rises ? measured_quantity(measured, 0) : whole].name;
     json_t *models = json_object();
     json_t *json = json_pack("{s:o, s:s, s:b, s:s, s:o}", "files", files_json(&measured->given->files), "model",
-                             model_rows[answers->fitted]->name, "carried", answers->carried, "quantity", quantity,
-                             "models", models);
+                             model_rows[plan_leading_model(results->plan)]->name, "carried",
+                             measured->given->carry && answers->fit.count > 0, "quantity", quantity, "models", models);
     json_object_set_new(json, "units_of_file",
                         json_pack("[o, o]", json_shown(measured->load_unit), json_shown(measured->resistance_unit)));
     json_set_count(json, "points", measured->count);

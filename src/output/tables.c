@@ -77,12 +77,6 @@ struct table {
     json_t *objects;           /* records go there instead; NULL: rows are written */
 };
 
-/** What one surface adds to a table. */
-static struct table table_part(struct table *whole, struct threads_turn *turn)
-{
-    return (struct table){.name = whole->name, .whole = whole, .turn = turn};
-}
-
 /** Opens the file and writes the columns' names. */
 static void open_table(struct table *table, const struct text *header)
 {
@@ -293,9 +287,9 @@ static void put_bands(struct table *table, const struct surface_record *record, 
 enum status_code curve_tables_put(struct curve_tables *all, const struct surface_record *record,
                                   struct threads_turn *turn, struct status *status)
 {
-    struct table part[CURVE_TABLES];
+    struct table part[CURVE_TABLES]; /* what one surface adds to a table */
     for (int t = 0; t < CURVE_TABLES; t++)
-        part[t] = table_part(&all->table[t], turn);
+        part[t] = (struct table){.name = all->table[t].name, .whole = &all->table[t], .turn = turn};
     put_spectrum(&part[SPECTRUM], record, scene_bins_spectra(all->results->scene));
     put_contact(&part[CONTACT], record, all->quantities);
     put_bands(&part[BANDS], record, all->band_quantities);

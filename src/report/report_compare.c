@@ -31,7 +31,8 @@ struct compared {
     json_t *models;                 /* by which the reports are compared, once each */
     bool beside;                    /* few enough to stand side by side */
     bool any, differ, loads_differ; /* any: a number is in two reports; differ: anything */
-    bool joined, carried;           /* a report has film or plating; shows what was measured */
+    bool carried;                   /* a report shows what was measured */
+    unsigned wholes;                /* QUANTITY_BITs of the ECR that surfaces are ranked by: of spots, joint, shape */
 };
 
 enum { TEXT_MOST = 60, STRING_MOST = 1000, PATH_MOST = 400, MADE = 5, NAMED_MOST = 10 };
@@ -88,7 +89,7 @@ struct side {
     const char *scans;     /* their hash */
     double pressure_Pa;    /* P/A_n of the report's operating load; P/(A_n E') where no material is known */
     bool elsewhere;        /* the number is not there, but at the other's */
-    bool joint;            /* it is a resistance with film or plating */
+    enum quantity of;      /* of the whole contact as the report has it: flat parts have no shape, bare ones no joint */
     double value, ends[2]; /* of its 95 % interval; NaN: not known */
     struct estimate known; /* of ln value */
 };
@@ -125,13 +126,13 @@ static struct side side_of(const struct compared *all, size_t k, const char *nam
 {
     const json_t *surface = json_object_get(all->surfaces[k], name), *model = get(surface, "models", model_of(all, k));
     const json_t *operating = json_object_get(model, "operating");
-    const bool bare = !json_object_get(operating, quantity_rows[QUANTITY_JOINT_ECR].name); /* no film, no plating */
-    const bool joint = number->quantity == QUANTITY_JOINT_ECR;
-    const enum quantity quantity = joint && bare ? QUANTITY_ECR : number->quantity;
+    enum quantity quantity = number->quantity;
+    while ((quantity == QUANTITY_SHAPE_ECR || quantity == QUANTITY_JOINT_ECR) &&
+           !json_object_get(operating, quantity_rows[quantity].name))
+        quantity = quantity == QUANTITY_SHAPE_ECR ? QUANTITY_JOINT_ECR : QUANTITY_ECR;
     const double known_Pa = modulus_of(all, k, name), modulus_Pa = known_Pa > 0 ? known_Pa : 1;
     struct contact_point at;
-    struct side out = {
-        .scans = string(surface, "sha256"), .joint = joint && !bare, .ends = {NAN, NAN}, .known = estimate_none};
+    struct side out = {.scans = string(surface, "sha256"), .of = quantity, .ends = {NAN, NAN}, .known = estimate_none};
     if (number->field) {
         out.value = real(json_object_get(surface, number->field->key));
         return out;
@@ -168,10 +169,10 @@ struct ranked {
     size_t order; /* as given */
 };
 
-/** Takes what a report's surfaces are ranked by at the pressure of the very first: ECR of the joint, TCR or area. */
+/** Takes what a report's surfaces are ranked by at the pressure of the very first: ECR of the whole, TCR or area. */
 static enum status_code take_ranked(struct compared *all, size_t k, const char *path, struct status *status)
 {
-    static const enum quantity criteria[] = {QUANTITY_JOINT_ECR, QUANTITY_TCR, QUANTITY_AREA};
+    static const enum quantity criteria[] = {QUANTITY_SHAPE_ECR, QUANTITY_TCR, QUANTITY_AREA};
     const char *name;
     json_t *ignored;
     json_object_foreach(all->surfaces[k], name, ignored)
@@ -206,7 +207,7 @@ static enum status_code take_ranked(struct compared *all, size_t k, const char *
             (struct ranked){line, side, rises ? -side.value : side.value, all->ranked_count};
         all->ranked_count++;
         all->loads_differ = all->loads_differ || side.elsewhere;
-        all->joined = all->joined || side.joint;
+        all->wholes |= QUANTITY_BIT(side.of);
     }
     return STATUS_OK;
 }
@@ -285,7 +286,9 @@ static enum status_code add_ranking(json_t *view, struct compared *all, struct s
             known[ranking.count++] = &all->ranked[i].side.known;
     if (comparison_test(&ranking, known, status) != STATUS_OK)
         return status->code;
-    const enum quantity by = all->criterion == QUANTITY_JOINT_ECR && !all->joined ? QUANTITY_ECR : all->criterion;
+    enum quantity by = all->criterion;
+    while (!(all->wholes & QUANTITY_BIT(by))) /* of the whole contact, as far as a report has it */
+        by--;
     view_text(out, "quantity", quantity_shown_name(by));
     view_text(out, "symbol", quantity_rows[by].short_symbol);
     view_text(out, "unit", unit);
@@ -433,7 +436,8 @@ static void add_surface(json_t *view, struct compared *all, const char *name)
     for (size_t i = 0; i < sizeof keys / sizeof *keys && !alone; i++)
         add_input(view, all, of, name, keys[i]);
     for (enum quantity q = 0; q < QUANTITY_COUNT; q++)
-        if (quantity_rows[q].handy.scale > 0 && (q != QUANTITY_JOINT_ECR || all->joined))
+        if (quantity_rows[q].handy.scale > 0 &&
+            ((q != QUANTITY_JOINT_ECR && q != QUANTITY_SHAPE_ECR) || (all->wholes & QUANTITY_BIT(q))))
             add_number(item, all, name, &(struct number){.quantity = q});
     for (const struct record_field *field = surface_fields; field->key; field++)
         if (field->digits > 0)

@@ -91,13 +91,11 @@ static enum status_code run_measured_on(struct run *run, size_t surface, struct 
     if (measured_answer(answers, measured, record, &asked, status) != STATUS_OK ||
         measured_fit(answers, measured, plan_leading_model(results->plan), status) != STATUS_OK)
         return status->code;
-    record->summary.carried_model = answers->fitted;
+    record->summary.carried_model = plan_leading_model(results->plan);
     record->summary.carried_quantity = measured_quantity(measured, results->plan->running);
-    for (size_t t = 0; measured->given->carry && answers->fit.count > 0 && t < results->scene->target_count; t++)
-        answers->carried |= results->scene->targets[t].quantity == record->summary.carried_quantity ||
-                            (results->scene->targets[t].quantity == QUANTITY_TEMPERATURE && !measured->thermal);
-    record->summary.carried = answers->carried ? estimate_value(&answers->fit) : 0;
-    if (answers->carried && answers_find(record, results->scene, results->plan, &task, status) != STATUS_OK)
+    const bool carries = measured->given->carry && answers->fit.count > 0;
+    record->summary.carried = carries ? estimate_value(&answers->fit) : 0;
+    if (carries && answers_find(record, results->scene, results->plan, &task, status) != STATUS_OK)
         return status->code;
     known_take_measured(results, surface);
     return STATUS_OK;

@@ -351,7 +351,6 @@ static struct measured_exponent exponent_made(double power, size_t points, doubl
     struct measured measured = {
         .count = 2 * points, .run_count = 2, .runs = parts, .load = loads, .resistance = ohm_m2};
     struct measured_answers answers = no_answers(&measured);
-    answers.fitted = 1;
     for (size_t i = 0; i < 2 * points; i++) {
         double x = log(100) * (double)(i % points) / (double)(points - 1), curve = 0.95 * x - 0.01 * x * x;
         loads[i] = 1e-6 * exp(x);

@@ -118,6 +118,10 @@ TEST_IN_WORKSPACE(measured_files_targets_and_limits_went_in)
     inputs = test_owns(json_dumps(json_object_get(view, "inputs"), 0), free);
     expect_parts(inputs, "\"scene.targets.ecr 2 mohm\"", "\"scene.limits.ecr most 3 mohm\"", "\"b.measured.files\"");
     expect_no_part(expect_exit(place, 0, "compare", "none", "none").out, said);
+    make_report(place, "alone", 1, filled(own, "measured: {file: ../m1.txt, quantity: ecr}")); /* no target of it */
+    (void)compare(place, "none", "alone", said);
+    make_report(place, "beside", 1, filled(own, "measured: {file: ../m1.txt, quantity: ecr, carry: false}"));
+    expect_no_part(expect_exit(place, 0, "compare", "none", "beside").out, said);
 }
 
 /** A report of one surface: ECR 2e-9 `factor`, from 1e-9 to 4e-9 of it, and with a film of 1e-9; `known` of both. */
@@ -266,6 +270,22 @@ TEST_IN_WORKSPACE(a_film_counts)
     view = compare(place, "bare", "bare", "ECR");
     at(view, "ranking.symbol", "\"ECR\"");
     at(view, "surfaces.0.numbers.1", "");
+}
+
+/* So is the shape: a report of flat parts is compared with one of others by what the whole contact resists. */
+TEST_IN_WORKSPACE(a_shape_counts)
+{
+    make_results(place, "shaped", "s", 1, KNOWN("0.1", "20"));
+    make_results(place, "flat", "s", 1.2, KNOWN("0.1", "20"));
+    workspace_shell(place, "sed -i 's/\"joint_ecr_ohm_m2\"/\"shape_ecr_ohm_m2\"/g' shaped/results.json");
+    workspace_shell(place, "sed -i 's/\"joint_ecr_ohm_m2\"/\"none\"/g' flat/results.json");
+    for (int first = 0; first < 2; first++) {
+        json_t *view = compare(place, first ? "flat" : "shaped", first ? "shaped" : "flat", "ECR with shape");
+        at(view, LINE(0, "path"), "\"flat\"");
+        assert_near(at(view, LINE(1, "value"), NULL), 3e-9, 1e-12);
+        assert_near(at(view, "surfaces.0.numbers.1.lines.1.ratio", NULL), first ? 1.25 : 0.8, 1e-12);
+        at(view, "surfaces.0.numbers.2", "");
+    }
 }
 
 /** A report of one surface 's' whose leading model is called so. */
