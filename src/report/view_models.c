@@ -250,7 +250,7 @@ static void put_study(json_t *item, const struct view_source *source, const stru
     json_set_count(item, "grid", study->plan.grid);
     view_counted(item, "seeds", study->curves[DIRECT_STUDY_ELASTIC].seeds, NULL);
     view_flag(item, "gaussian", study->plan.gaussian);
-    view_flag(item, "at_this_resolution", study->plan.side > 0 || study->plan.of_spacing);
+    view_flag(item, "at_this_resolution", study->plan.side > 0 || study->plan.of_spacing || study->plan.coarse);
     json_set(item, "cell_m", study->plan.length_m);
     for (size_t m = 0; m < model_count; m++) {
         if (!study->models[m].exists)

@@ -198,6 +198,9 @@ TEST_IN_WORKSPACE(test_resolution)
     write_scene(place, EFFECTS "direct: {grid: 128, seeds: 2, loads: [2e-3, 1e-2]}\nlambda_s_m: 6e-6\n");
     report_scene(place, "out", NULL);
     expect_not_in_file(place, "out/report.md", "holds at this resolution");
+    write_scene(place, EFFECTS "direct: {grid: 32, seeds: 2, loads: [2e-3, 1e-2]}\nlambda_s_m: 3e-6\n");
+    report_scene(place, "out", NULL); /* a grid too coarse for that */
+    expect_in_file(place, "out/report.md", "This holds at this resolution: finer waves are left out");
 }
 
 TEST_IN_WORKSPACE(test_impossible)
