@@ -299,14 +299,14 @@ void known_take_measured(struct results *results, size_t surface)
         const struct known load = known_load(results, &results->scene->targets[t], surface);
         struct answer *answer =
             &results->surfaces[surface].summary.answers[t * model_count + plan_leading_model(results->plan)];
-        if (!load.measured || load.kind != KNOWN_VALUE || load.value == answer->load)
+        if (!load.measured || load.kind != KNOWN_VALUE)
             continue;
-        *answer = (struct answer){.kind = ANSWER_LOAD,
-                                  .load = load.value,
-                                  .low = NAN,
-                                  .high = NAN,
-                                  .spots_per_m2 = answer->spots_per_m2 * load.value / answer->load,
-                                  .counted_by = answer->counted_by};
+        if (!load.beyond)
+            *answer = (struct answer){.kind = ANSWER_LOAD,
+                                      .load = load.value,
+                                      .spots_per_m2 = answer->spots_per_m2 * load.value / answer->load,
+                                      .counted_by = answer->counted_by};
+        answer->low = answer->high = NAN; /* the model's error is not that of its curve times the factor */
     }
 }
 

@@ -242,3 +242,20 @@ TEST_IN_WORKSPACE(test_measured)
     workspace_write(place, "d/ecr.csv", "load,ecr\n1,4.8\n");
     expect_failure(place, 3, 1, "add 'resistance_unit' to 'measured' in the scene", "report", "d");
 }
+
+/* Beyond a test the model goes on with its factor. How far that is off nobody knows: neither page nor table says. */
+TEST_IN_WORKSPACE(beyond_a_test_there_is_no_interval)
+{
+    workspace_scans(place, "d", 3, 300, 1);
+    workspace_write(place, "m.txt", "load_N,resistance_mohm\n1,0.9\n");
+    workspace_write(place, "d/scene.yaml",
+                    "material: tin\nnominal_area: 1 mm2\noperating_load: 1 N\nmodels: [corrected-persson]\n"
+                    "targets: [{ecr: 0.5 mohm}]\n"
+                    "surfaces: [{name: a, file: '*.csv', measured: {file: ../m.txt}}]\n");
+    run_to_exit(place, 0, "report", "d", "--no-cost");
+    struct table answers = workspace_table(place, "out/d/data/answers.csv");
+    size_t leading = table_find(&answers, 0, "model", "corrected-persson-plastic");
+    assert_true(table_number(&answers, leading, "load_N") > 1.1);
+    assert_string_equal(table_text(&answers, leading, "low"), "");
+    assert_string_equal(table_text(&answers, leading, "high"), "");
+}
