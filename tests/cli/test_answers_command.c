@@ -58,6 +58,11 @@ TEST_IN_WORKSPACE(a_missed_limit_ends_with_5)
     run = run_scene(place, 5, missed, "--check"); /* before 1, of a refused scan */
     expect_part(run.err, "refused");
     run_scene(place, 1, SCENE "limits: {area: {least: 1e-9}}\n", "--check");
+    run = run_scene(place, 5, /* where no metal touches, at any load */
+                    "material: copper\nmodels: [corrected-persson]\nnominal_area: 1 mm2\noperating_load: 1 N\n"
+                    "gap: {filler: pad, bond_line: 500 um}\nlimits: {ecr: {most: 1 mohm}}\n",
+                    "--check");
+    expect_part(run.err, "surface 'a' misses the limit ECR ≤ 1 mohm\n");
 }
 
 /* One scan gives a wide interval of ECR: a limit within it is undecided (status 6), above it met (0), below it missed
