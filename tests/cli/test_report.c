@@ -229,8 +229,8 @@ TEST_IN_WORKSPACE(test_measured)
     workspace_write(place, "d/scene.yaml", filled(scene, filled(apart, target_ohm)));
     run_to_exit(place, 0, "report", "d", "--no-cost");
     expect_in_file(place, "out/d/report.md", "*a* conducts 0.60 times what the model says (95\u00a0%: 0.059 to 6.1)",
-                   "; its numbers above are the measured ones.\n", "12 points measured on *a* in 2 runs",
-                   "6 points measured on *c*.\n");
+                   "; its numbers above are the test's, and beyond it the model's with that factor.\n",
+                   "12 points measured on *a* in 2 runs", "6 points measured on *c*.\n");
     struct table answers = workspace_table(place, "out/d/data/answers.csv");
     assert_string_equal(table_text(&answers, 1, "surface"), "a");
     assert_near(table_number(&answers, 1, "load_over_AnEp"), sqrt(passed[0] * passed[1]), 1e-8); /* the page's, too */

@@ -416,7 +416,7 @@ TEST_IN_DIRECTORY(a_scan_that_changes)
     def.gamma = 0.8;
     expect_ok(synth_profile, height_m, &def);
     for (size_t i = 0; i < 4 * POINTS; i++) /* so flat that nothing bears more than the hardness */
-        height_m[i] *= 0.01;
+        height_m[i] *= 1e-4;
     for (int k = 0; k < 2; k++) {
         for (size_t i = 2 * POINTS; k == 1 && i < 4 * POINTS; i++)
             height_m[i] *= 100;
