@@ -337,12 +337,6 @@ static struct layout layout_of(const struct chart *chart)
     return out;
 }
 
-/** What the names on a panel's y axis take more than numbers would. */
-static double names_width(const struct chart_panel *panel)
-{
-    return fmax(0, LETTER * longest(panel->names, "label", NULL, 0) + NAME - LEFT);
-}
-
 /** Has the names of marks across x, above the panel, stay within it and beside one another: from the last one on, each
  * over its line, or ending where the next begins. `left` and `wide` are the panel's. */
 static void align_marks(const struct chart_panel *panel, const struct chart_extent *x, double left, double wide)
@@ -392,7 +386,7 @@ static json_t *panel_view(const struct chart *chart, const struct layout *layout
     y = range_of(y, panel->log_y);
     size_t row = p / layout->columns, column = p % layout->columns;
     bool bare = chart->shares && column > 0 && !panel->alone && !chart->panel[p - 1].alone; /* numbered before */
-    double names = names_width(panel);
+    double names = fmax(0, LETTER * longest(panel->names, "label", NULL, 0) + NAME - LEFT); /* more than numbers take */
     double left = LEFT + (double)column * (layout->wide + layout->gap), top = layout->top[row];
     align_marks(panel, &x, left + names, layout->wide - names);
     json_t *ticks = json_array_size(panel->names) > 0

@@ -10,12 +10,6 @@
 static const double inverse_sqrt_2pi = 0.39894228040143267794;
 enum { PANELS_MOST = 1024 };
 
-/** Gauss-Legendre nodes per panel: every integral of tests/data then meets the tolerance. */
-static size_t panel_order(double tolerance)
-{
-    return (size_t)fmin(20, fmax(4, ceil(-log10(tolerance)) + 2));
-}
-
 /** Largest u that counts at separation d: there the Gaussian is exp(-log_cut) of its largest value over u > 0. */
 static double reach(double d, double log_cut)
 {
@@ -56,7 +50,7 @@ enum status_code quadrature_make(struct quadrature *out, const struct asperity *
                                  double knudsen_length_m, double lowest_d, double tolerance, struct status *status)
 {
     double border[PANELS_MOST];
-    size_t order = panel_order(tolerance);
+    size_t order = (size_t)fmin(20, fmax(4, ceil(-log10(tolerance)) + 2)); /* integrals of tests/data then meet it */
     *out = (struct quadrature){.log_cut = 8 - log(tolerance)};
     size_t panel_count =
         borders(border, asperity, sigma_s_m, knudsen_length_m, reach(fmin(lowest_d, 0), out->log_cut)) - 1;

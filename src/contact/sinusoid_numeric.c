@@ -27,12 +27,7 @@ static const struct sinusoid_bem_row sinusoid_bem[] = {
 };
 enum { NODES = sizeof sinusoid_bem / sizeof sinusoid_bem[0], POINTS = NODES + 2 };
 
-/** Abscissa and the two quantities at point i; 0 and POINTS-1 are the exact limits. */
-static double point_t(int i)
-{
-    return i == 0 ? 0 : i == POINTS - 1 ? 1 : cbrt(sinusoid_bem[i - 1].x);
-}
-
+/** The two quantities at point i; 0 and POINTS-1 are the exact limits. */
 static double point_area(int i)
 {
     static const double hertz_factor = 0.7616184731724445; /* pi (3/(8 pi))^(2/3), from (4.3) */
@@ -80,7 +75,7 @@ static struct piece piece_at(double (*value)(int), double x)
     for (int k = 0; k < 4; k++) {
         int point = low - 1 + k;
         bool exists = point >= 0 && point < POINTS;
-        t[k] = exists ? point_t(point) : 0;
+        t[k] = !exists || point == 0 ? 0 : point == POINTS - 1 ? 1 : cbrt(sinusoid_bem[point - 1].x);
         y[k] = exists ? value(point) : 0;
     }
     double step = t[2] - t[1], secant = (y[2] - y[1]) / step;

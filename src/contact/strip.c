@@ -87,12 +87,6 @@ static enum status_code phases_of(struct phases *out, const double *strip_m, siz
     return STATUS_OK;
 }
 
-static void phases_free(struct phases *phases)
-{
-    free(phases->amplitude);
-    fft_room_free(&phases->room);
-}
-
 /** Draws a Gaussian row. */
 static void draw_row(double *out, struct phases *phases, size_t length, uint64_t seed, uint64_t first,
                      struct status *status)
@@ -274,7 +268,8 @@ enum status_code strip_solve(struct strip *out, const struct strip_rows *rows, s
         draw_surrogates(strip_m + solver.points, solver.points, &solver, status);
     if (status->code == STATUS_OK)
         (void)!threads_run(threads, 1 + solver.surrogates, solve_task, &solver, status);
-    phases_free(&solver.phases);
+    free(solver.phases.amplitude);
+    fft_room_free(&solver.phases.room);
     free(solver.strip_m);
     return status->code;
 }

@@ -17,16 +17,11 @@ enum status_code repeats_add_scan(struct ensemble *set, struct status *status)
     return STATUS_OK;
 }
 
-/** Is the row one of STRIPS_PIECES evenly spaced ones? Of fewer rows all are. */
-static bool row_is_member(size_t row, size_t rows)
-{
-    return (STRIPS_PIECES * (row + 1) + rows / 2) / rows > (STRIPS_PIECES * row + rows / 2) / rows;
-}
-
 enum status_code repeats_add(struct ensemble *set, size_t row, size_t rows, struct profile *profile, struct member *own,
                              struct status *status)
 {
-    bool wanted = row_is_member(row, rows);
+    /* one of STRIPS_PIECES evenly spaced rows; of fewer all are */
+    bool wanted = (STRIPS_PIECES * (row + 1) + rows / 2) / rows > (STRIPS_PIECES * row + rows / 2) / rows;
     struct member *member = wanted ? ensemble_room(set) : NULL;
     if (!member) {
         spectrum_free(&own->spectrum);

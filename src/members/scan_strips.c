@@ -3,6 +3,7 @@
 
 #include "direct/direct_surface.h"
 
+#include <gsl/gsl_minmax.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -24,11 +25,6 @@ void strips_free(struct strips *strips)
 static bool is_whole(const struct member *member, size_t points, double spacing_m)
 {
     return member->height_m && member->points == points && fabs(member->spacing_m / spacing_m - 1) <= 1e-6;
-}
-
-static size_t least(size_t a, size_t b)
-{
-    return a < b ? a : b;
 }
 
 /** How often each of `rows` rows is paired. */
@@ -75,9 +71,9 @@ enum status_code strips_gather(struct strips *out, struct ensemble *set, bool pa
         return STATUS_OK;
     size_t rows = paired ? whole * pairings_of(whole) : whole;
     bool fits = rows <= STRIPS_PIECES && rows * points <= STRIPS_POINTS;
-    size_t length = !fits ? least(points, STRIPS_PIECE_POINTS) : periodic ? points : fft_quick(points, ROW_FACTOR);
-    size_t pieces = fits ? whole : least(STRIPS_PIECES, STRIPS_POINTS / length);
-    size_t scans = least(whole, pieces), each = pieces / scans;
+    size_t length = !fits ? GSL_MIN(points, STRIPS_PIECE_POINTS) : periodic ? points : fft_quick(points, ROW_FACTOR);
+    size_t pieces = fits ? whole : GSL_MIN(STRIPS_PIECES, STRIPS_POINTS / length);
+    size_t scans = GSL_MIN(whole, pieces), each = pieces / scans;
     each = each > 2 ? 3 * each / 4 : each; /* the rest would cost a third more and change the answer by 0.1 */
     size_t spread = each > 1 ? each : scans;
     if (!(out->height_m = malloc(scans * each * length * sizeof *out->height_m)) ||

@@ -73,13 +73,6 @@ static void put_apart(json_t *row, const struct law *law, const struct contact_p
     put_ends(row, law, value, ends);
 }
 
-/** Is the j-th of so many rows one of FEW: the first two, the last, and others evenly between? Contact between faces in
- * CalculiX holds no more (2.20: springforc_f2f_th.f). */
-static bool is_few(size_t j, size_t count)
-{
-    return count <= FEW || j < 2 || (j - 1) * (FEW - 2) / (count - 2) > (j - 2) * (FEW - 2) / (count - 2);
-}
-
 /** The points at which each law that exists has a number, by rising pressure from none on. */
 static void put_rows(json_t *rows, struct law laws[LAWS], const struct surface_record *record, size_t m,
                      double pressure_unit_Pa)
@@ -117,7 +110,8 @@ static void put_rows(json_t *rows, struct law laws[LAWS], const struct surface_r
     json_array_foreach(rows, j, row)
     {
         json_set_count(row, "number", j + 1);
-        view_flag(row, "few", is_few(j, count));
+        view_flag(row, "few", /* evenly; faces in contact hold no more in CalculiX (2.20: springforc_f2f_th.f) */
+                  count <= FEW || j < 2 || (j - 1) * (FEW - 2) / (count - 2) > (j - 2) * (FEW - 2) / (count - 2));
     }
 }
 
