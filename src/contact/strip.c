@@ -29,10 +29,14 @@ enum { ROUGH_STEP = 3, ROUGH_TOLERANCE = 2 };
 
 static const double least_share = 0.3; /* of the area in contact, left by the correction for its outline */
 
-struct strip_rule strip_rule(size_t scans)
+double strip_smoothing(size_t scans)
 {
-    static const struct strip_rule rules[] = {{0, 12}, {1, 12}, {0.8, 12}, {0.6, 8}};
-    return rules[scans < 3 ? scans : 3];
+    return (const double[]){0, 1, 0.8, 0.6}[scans < 3 ? scans : 3];
+}
+
+size_t strip_least_points(const struct strip_rows *rows)
+{
+    return rows->scans >= 3 && rows->rows >= 3 ? 8 : 12;
 }
 
 size_t strip_surrogates(const struct strip_rows *rows)
@@ -176,7 +180,7 @@ static enum status_code solve_strip(struct strip_curve *curve, size_t *convoluti
                                     size_t index, struct status *status)
 {
     struct direct_contact made, *contact = &made;
-    const size_t points = solver->points, least_points = strip_rule(solver->rows->scans).least_points;
+    const size_t points = solver->points, least_points = strip_least_points(solver->rows);
     const double spacing_m = solver->rows->spacing_m, *strip_m = solver->strip_m + index * points;
     double slope = sqrt(mean_square_slope(strip_m, points, row_length(solver->rows), spacing_m));
     const struct direct_grid grid = {points, 1, spacing_m, false, true};
@@ -258,7 +262,7 @@ enum status_code strip_solve(struct strip *out, const struct strip_rows *rows, s
     const bool rough = surrogates == STRIP_ROUGHLY;
     struct solver solver = {
         .out = out, .rows = rows, .surrogates = rough ? 1 : surrogates, .rough = rough, .stop = threads->stop};
-    *out = (struct strip){.smoothing = strip_rule(rows->scans).smoothing};
+    *out = (struct strip){.smoothing = strip_smoothing(rows->scans)};
     double *own_m = strip_join(&solver.points, rows);
     double *strip_m = own_m ? reallocarray(own_m, 1 + solver.surrogates, (solver.points + 1) * sizeof *own_m) : NULL;
     solver.strip_m = strip_m ? strip_m : own_m;

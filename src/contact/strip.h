@@ -26,20 +26,17 @@ struct strip_rows {
     double spacing_m;
     bool periodic;        /* each row; else it is mirrored */
     const uint64_t *seed; /* one per row, for the phases of surrogates; NULL: its number */
-    size_t scans;         /* of the surface, for strip_rule(); 0: ratios are not smoothed */
+    size_t scans;         /* of the surface, 0: ratios are not smoothed */
 };
 
-/** What depends on how many scans a surface has. */
-struct strip_rule {
-    double smoothing;    /* width in logit A over which ratios are smoothed; 0: none */
-    size_t least_points; /* in contact, for a usable solution */
-};
+/** The width in logit A with the least measured error: 1 for one scan, .6 from three on (any-heights). Smoothing also
+ * removes steps that noise makes. */
+double strip_smoothing(size_t scans);
 
-/** The rule with the least measured error (any-heights; docs/validation.md). Smoothing also removes steps that noise
- * makes. From three scans on solutions with 8 points in contact count too: of surfaces of all heights five scans then
- * err by .20 .24 .32 instead of .22 .25 .32 (rms ln of area, gap, resistance); one scan would err by .36 .54 .54
- * instead of .34 .55 .50. */
-struct strip_rule strip_rule(size_t scans);
+/** Points in contact that a usable solution has: 12, but 8 where three scans or more are joined. On surfaces of all
+ * heights leading answers of five scans then err by .21 .25 .31 instead of .22 .25 .32 (rms ln of area, gap,
+ * resistance); single scans would err by .36 .54 .54 instead of .34 .55 .50. */
+size_t strip_least_points(const struct strip_rows *rows);
 
 /** Gaussian strips that a strip is compared with. Of 64 000 points a second one changes area, gap and resistance by
  * .03, .1 and .12 (rms ln, one longest wave) to .05, .02 and .04 (300 of them), where models err by .37, .48 and .54;
@@ -63,7 +60,7 @@ struct strip {
     size_t surrogates;   /* with a solution */
     size_t unsolved;     /* loads of all strips */
     uint64_t transforms; /* pairs of transforms, times points */
-    double smoothing;    /* of strip_rule() */
+    double smoothing;    /* strip_smoothing(); 0: none */
 };
 
 /** Joins the rows to one strip and solves it and its surrogates. A surrogate's rows have the mean power of all rows

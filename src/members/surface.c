@@ -79,7 +79,7 @@ void surface_set_lay(struct surface_summary *summary, double lay, const char *fr
 
 bool surface_knows_both(const struct surface_summary *summary)
 {
-    return summary->has_lay && summary->lay <= 1;
+    return summary->has_lay && summary->lay <= 1 && summary->scans > 1;
 }
 
 double surface_kappa(const struct surface_summary *summary)

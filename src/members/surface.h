@@ -148,7 +148,9 @@ struct joint_task surface_joint(const struct surface_record *record, const struc
  * scene ("given"). A note says so if the scans seem to run along the lay. */
 void surface_set_lay(struct surface_summary *summary, double lay, const char *from);
 
-/** Is the lay known, with scans across it, so that both directions are known? */
+/** Is the lay known, with two scans across it or more, so that both directions are known? On 16 pieces of five measured
+ * maps 1 + 1 scans err by .66 .79 .77 (rms ln of area, gap, resistance), as two in one direction do: with the error of
+ * two directions .89 of the intervals hold, with 2 + 2 scans .93 .96 .96. */
 bool surface_knows_both(const struct surface_summary *summary);
 
 /** Factor on the spatial frequencies of scans across a lay, for models of isotropic surfaces: sqrt((1 + r²)/2), r the

@@ -114,7 +114,7 @@ TEST_IN_DIRECTORY(the_steeper_direction_is_across)
 {
     static const struct {
         const char *steep, *flat;
-    } cases[] = {{"'a*.csv'", "'l*.csv'"}, {"a1.csv", "l2.csv"}};
+    } cases[] = {{"'a*.csv'", "'l*.csv'"}, {"'a[12].csv'", "'l[12].csv'"}, {"a1.csv", "l2.csv"}};
     static const char models[] = "models: [strip]\n", note[] = "its scans in 'along' are steeper";
     write_scans(place, "a", 1, 1);
     write_scans(place, "l", 0.6, 1.2);
@@ -134,8 +134,9 @@ TEST_IN_DIRECTORY(the_steeper_direction_is_across)
         for (int n = 0; n < 3; n++)
             assert_near(right[n], wrong[n], 1e-12);
         assert_true(fabs(log(right[0] / with_r[0])) > 1e-3); /* the flatter one's have a quarter */
-        assert_true(k == 0 || with_r[2] < alone[2]);         /* of three scans their scatter then counts more */
-        assert_true(k == 0 ? right[2] < with_r[2] : right[2] <= with_r[2] + 1e-9);
+        assert_true(k == 1 || with_r[2] < alone[2]);         /* two scans scatter by a t of one degree */
+        assert_true(k < 2 || with_r[2] > 0.95 * alone[2]);   /* of one scan the model's error stays as it is */
+        assert_true(right[2] < with_r[2]);
         assert_null(strstr(directory_read(place, "right/results.json"), note));
         assert_non_null(strstr(directory_read(place, "wrong/results.json"), note));
     }
