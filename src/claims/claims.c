@@ -581,6 +581,7 @@ static bool uncertainty(struct claims *c)
                      words_say(c->words, "cause.%s\npercent %.0f", n == 1 ? scans : names[n], 100 * variance[n] / all));
     }
     put(c, "factor", c->weight = factor.most);
+    put_surface(c, surface);
     return true;
 }
 
