@@ -287,8 +287,14 @@ static bool beyond_hardness(struct claims *c)
            (yields || (model->ends && (!model->uses_strip || summary_of(c, c->i)->has_strips)));
 }
 
+/** Is heat asked for that also goes through gaps? */
+static bool gaps_conduct(const struct claims *c)
+{
+    return runs(c, EFFECT_GAP) && (c->asked.quantity == QUANTITY_JOINT || c->asked.quantity == QUANTITY_SHAPE_JOINT);
+}
+
 /** How many spots carry the answer's load, in proportion to the load: those counted on a map that leads, else the
- * model's count or that of equal spots with the same area and resistance, whichever is fewer. NaN: not known. */
+ * model's count or that of equal spots of the same area and resistance, the fewer. NaN: unknown, or gaps carry most. */
 static double spots_on(const struct claims *c, size_t surface)
 {
     const struct contact_point at = comparison_middle(c->results, c->leading, surface);
@@ -301,6 +307,8 @@ static double spots_on(const struct claims *c, size_t surface)
     const bool counted = model_rows[c->leading]->uses_map && map->cells > 0;
     double per_m2 = counted ? (double)map->spot_count / pow((double)map->cells * map->cell_m, 2)
                             : fmin(at.value[QUANTITY_SPOT_DENSITY], alike.density_per_m2);
+    if (gaps_conduct(c) && at.value[QUANTITY_GAP] > 0.5 * at.value[QUANTITY_JOINT])
+        return NAN;
     if (c->asked.target) {
         const struct known load = known_load(c->results, c->asked.target, surface);
         if (load.kind != KNOWN_VALUE && load.kind != KNOWN_AT_MOST)
@@ -408,20 +416,14 @@ static bool not_flat(struct claims *c)
     return exponent->not_flat;
 }
 
-/** Is heat asked for that also goes through gaps? */
-static bool gaps_conduct(const struct claims *c)
-{
-    return runs(c, EFFECT_GAP) && (c->asked.quantity == QUANTITY_JOINT || c->asked.quantity == QUANTITY_SHAPE_JOINT);
-}
-
-/** Does the ranking agree with the table? Not where gaps carry heat beside the spots that are ranked, nor where a
- * number there is measured or a bound, nor where a surface that is not ranked, as its scatter is unknown, is better
- * than the first. */
+/** Does the ranking agree with the table? Not where it is by another quantity, gaps carry heat too, a number there is
+ * measured or a bound, or a surface that is not ranked, as its scatter is unknown, is better than the first. */
 static bool ranking_holds(const struct claims *c)
 {
     const struct comparison *ranking = c->comparison;
     const bool rises = quantity_rows[ranking->criterion].is & QUANTITY_RISES;
-    bool holds = ranking->count > 1 && !gaps_conduct(c);
+    const unsigned made_of = quantity_rows[c->asked.quantity].from | QUANTITY_BIT(c->asked.quantity);
+    bool holds = ranking->count > 1 && !gaps_conduct(c) && (made_of & QUANTITY_BIT(ranking->criterion));
     for (size_t k = 0; holds && k < c->results->usable_count; k++) {
         const double value = answer(c, usable(c, k), ranking->criterion),
                      best = answer(c, ranking->surface[0], ranking->criterion);
@@ -594,15 +596,16 @@ static bool not_flat_assumed(struct claims *c)
     const struct joint_task joint = {&results->scene->joint, &record->summary.pair,
                                      .nominal_area_m2 = results->scene->nominal_area_m2,
                                      .effects = results->plan->running};
-    if (way == JOINT_HEAT && /* gaps that conduct need loads far below those of the report */
-        ((runs(c, EFFECT_GAP) && !(answer(c, c->i, QUANTITY_GAP) < 0.01 * answer(c, c->i, QUANTITY_JOINT))) ||
-         (asked != QUANTITY_TCR && asked != QUANTITY_JOINT)))
-        return false;
-    if (known_value(results, asked, c->i).measured || runs(c, EFFECT_SHAPE) || !(joint.nominal_area_m2 > 0) ||
+    if ((way == JOINT_HEAT && /* gaps that conduct need loads far below those of the report */
+         ((runs(c, EFFECT_GAP) && !(answer(c, c->i, QUANTITY_GAP) < 0.01 * answer(c, c->i, QUANTITY_JOINT))) ||
+          (asked != QUANTITY_TCR && asked != QUANTITY_JOINT))) ||
+        known_value(results, asked, c->i).measured || runs(c, EFFECT_SHAPE) || !(joint.nominal_area_m2 > 0) ||
         record->summary.pair.unknown || !record->curves || !record->curves[c->leading].exists)
         return false;
     c->weight = shaped_usual_factor(&record->curves[c->leading], model_rows[c->leading], &joint,
                                     results_operating_load(results, c->i), way);
+    if (results->usable_count > 1) /* each has its own */
+        put_surface(c, c->i);
     put(c, "factor", c->weight);
     put(c, "bulge", shaped_usual_flatness * sqrt(joint.nominal_area_m2));
     put(c, "side", sqrt(joint.nominal_area_m2));
@@ -687,10 +690,11 @@ static bool differ_in_roughness(const struct results *results)
     return ln_rq[1] - ln_rq[0] > 2 * sqrt(variance);
 }
 
-/** A model's answer on usable surface k. */
+/** A model's answer on usable surface k; NaN also where the answer shown is but a bound. */
 static double modelled(const struct claims *c, size_t model, size_t k)
 {
-    return comparison_middle(c->results, model, usable(c, k)).value[c->asked.quantity];
+    const bool bound = known_value(c->results, c->asked.quantity, usable(c, k)).kind > KNOWN_VALUE;
+    return bound ? NAN : comparison_middle(c->results, model, usable(c, k)).value[c->asked.quantity];
 }
 
 /** The last over the first of a model's answers in order of roughness; negative: not each is above the one before. 0: a
@@ -718,7 +722,7 @@ static bool by_roughness(struct claims *c)
     const size_t count = c->results->usable_count;
     size_t steepest = model_count;
     double most = 0;
-    bool all = count >= 3 && differ_in_roughness(c->results);
+    bool all = count >= 3 && differ_in_roughness(c->results) && scene_has_one_pair(c->results->scene, false);
     for (size_t m = 0; all && m < model_count; m++) {
         const struct model_row *row = model_rows[m];
         all = row->thesis_place == 0 || plan_runs_model(c->results->plan, m);
@@ -756,12 +760,13 @@ static double share_of(const struct claims *c, size_t surface)
         return answer(c, surface, QUANTITY_PLATING_FACTOR);
     if (effect == EFFECT_SHAPE && touches && carrying > 0)
         return 1e6 * carrying * scene->nominal_area_m2;
-    if (effect == EFFECT_HEATING && !molten(c, surface))
+    if (effect == EFFECT_HEATING && !molten(c, surface) &&
+        known_value(c->results, QUANTITY_TEMPERATURE, surface).kind <= KNOWN_VALUE)
         return known_value(c->results, QUANTITY_TEMPERATURE, surface).value - scene->joint.temperature_K;
     return NAN;
 }
 
-/** How much of the answer an effect makes, from the least to the most over all surfaces. */
+/** How much of the answer an effect makes, from the least to the most: of surfaces that are named, else only of all. */
 static bool share(struct claims *c)
 {
     const struct extent extent = extent_of(c, share_of, INFINITY);
@@ -771,8 +776,9 @@ static bool share(struct claims *c)
     (void)put_names(c, &extent.on);
     put(c, "nominal", c->results->scene->nominal_area_m2);
     put(c, "current", c->results->scene->joint.current_A);
-    const bool by_place = (c->row->effect == EFFECT_GAP || c->row->effect == EFFECT_FILM) && runs(c, EFFECT_SHAPE);
-    return runs(c, c->row->effect) && extent.most > 0 && !by_place; /* one number does not say it */
+    const bool named = c->row->effect == EFFECT_GAP || c->row->effect == EFFECT_FILM, shaped = runs(c, EFFECT_SHAPE);
+    return runs(c, c->row->effect) && extent.most > 0 &&
+           (named ? !shaped : extent.on.count == c->results->usable_count);
 }
 
 /** The model that `accuracy` chose. */

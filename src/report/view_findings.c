@@ -418,7 +418,7 @@ void view_findings(json_t *out, const struct view_source *source)
     unsigned kinds = 0;
     for (size_t m = 0; m < model_count; m++)
         kinds |= speaks(plan, m);
-    if (!source->results->convergence || !kinds)
+    if (!source->results->convergence || !kinds || !scene_has_one_pair(source->results->scene, false))
         return;
     json_t *list = view_list(out, "findings");
     for (size_t i = 0; i < sizeof checks / sizeof *checks; i++) {

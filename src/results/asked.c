@@ -241,13 +241,12 @@ struct known known_value(const struct results *results, enum quantity quantity, 
     const struct estimate *fit = &results->answers[surface].fit;
     const struct measured *measured = results_measured(results, surface);
     const double here =
-                     passing(measured, measured->load, measured->resistance, results_operating_load(results, surface)),
-                 half = isnan(fit->half_width) ? NAN : fit->half_width;
+        passing(measured, measured->load, measured->resistance, results_operating_load(results, surface));
     out.value = here > 0 ? measured_as(quantity, here) : model / measured_as(quantity, carried);
     out.beyond = !(here > 0);
     out.kind = isfinite(out.value) ? KNOWN_VALUE : KNOWN_NOTHING;
-    out.low = out.value * exp(-half);
-    out.high = out.value * exp(half);
+    out.low = out.value * exp(-fit->half_width);
+    out.high = out.value * exp(fit->half_width);
     return out;
 }
 

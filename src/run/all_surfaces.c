@@ -69,7 +69,7 @@ static void plan_direct(struct plan *plan, const struct results *results)
 static enum status_code make_loads(struct all_surfaces *out, const struct scene *scene, struct status *status)
 {
     struct results *results = &out->results;
-    results->loads_apart = scene->load.kind != UNIT_NUMBER && !scene_has_one_modulus(scene);
+    results->loads_apart = scene->load.kind != UNIT_NUMBER && !scene_has_one_pair(scene, true);
     const size_t lists = results->loads_apart ? scene->surface_count : 1;
     size_t operating = 0;
     if (!(out->loads = calloc(lists * (scene->load.points + 1), sizeof *out->loads)))

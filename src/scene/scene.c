@@ -211,12 +211,17 @@ static void check_load_kind(const struct scene *scene, struct scene_source *sour
                  unit_quantity_name(kind));
 }
 
-bool scene_has_one_modulus(const struct scene *scene)
+bool scene_has_one_pair(const struct scene *scene, bool modulus_alone)
 {
+    const struct material_pair first = scene_pair(&scene->surfaces[0].bodies);
     bool one = true;
-    for (size_t i = 1; i < scene->surface_count; i++)
-        one = one && scene_pair(&scene->surfaces[i].bodies).effective_modulus_Pa ==
-                         scene_pair(&scene->surfaces[0].bodies).effective_modulus_Pa;
+    for (size_t i = 1; i < scene->surface_count; i++) {
+        const struct material_pair own = scene_pair(&scene->surfaces[i].bodies);
+        const double apart =
+            fmax(fmax(fabs(own.hardness_Pa - first.hardness_Pa), fabs(own.resistivity_ohm_m - first.resistivity_ohm_m)),
+                 fabs(own.conductivity_W_per_mK - first.conductivity_W_per_mK));
+        one = one && own.effective_modulus_Pa == first.effective_modulus_Pa && (modulus_alone || !(apart > 0));
+    }
     return one;
 }
 
@@ -242,7 +247,7 @@ static void check_loads(struct scene *scene, struct scene_source *source)
         most = i == 0 ? load->values[i] : fmax(most, load->values[i]);
     }
     check_load_kind(scene, source, key, key, one->kind);
-    if ((one->kind == UNIT_NUMBER) != (load->kind == UNIT_NUMBER) && !scene_has_one_modulus(scene))
+    if ((one->kind == UNIT_NUMBER) != (load->kind == UNIT_NUMBER) && !scene_has_one_pair(scene, true))
         FAIL_KEY(
             source, key,
             "'%s' is %s and the loads are %s, which differ from material to material; give both in one kind of unit",

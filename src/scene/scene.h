@@ -255,8 +255,8 @@ double scene_load_of(const struct scene_quantity *one, const struct scene *scene
 /** The same in the kind of the scene's loads. */
 double scene_load_as(const struct scene_quantity *one, const struct scene *scene, const struct material_pair *pair);
 
-/** Is E' the same for all surfaces? */
-bool scene_has_one_modulus(const struct scene *scene);
+/** Have all surfaces the same E', hardness, resistivity and conductivity, or the same E'? */
+bool scene_has_one_pair(const struct scene *scene, bool modulus_alone);
 
 /** The scene's loads on a pair of bodies as P/(A_n E'), ascending, without duplicates, into an array with room for
  * load.points + 1. Returns their count, the same for every pair; *operating is the index of the summary's load. */
