@@ -113,11 +113,11 @@ static enum status_code add_records(struct simulated *out, const struct record_h
     OWNED(memory_free) double *mean_m = thin(&thinned, scanned);
     if (!mean_m)
         return status_memory(status);
+    if (body->points < SIMULATED_RECORD_LEAST_POINTS)
+        return status_fail(status, STATUS_SCAN, "%zu points are too few to simulate records of", body->points);
     OWNED(memory_free) double *height_m = malloc(2 * body->points * sizeof *height_m);
     if (!height_m)
         return status_memory(status);
-    if (body->points < SIMULATED_RECORD_LEAST_POINTS)
-        return status_fail(status, STATUS_SCAN, "%zu points are too few to simulate records of", body->points);
     double *square_m2 = height_m + body->points;
     if (multitaper_square(square_m2, body->height_m, body->points, status) != STATUS_OK ||
         simulated_record_prepare(&spectrum, square_m2, body->points, status) != STATUS_OK)
