@@ -10,7 +10,6 @@
 
 enum {
     BLOCK = 8, /* columns copied together: two cache lines a row */
-    KEPT = 16, /* plans of rows; a folder of scans has a few lengths */
     GAP = 4    /* values between them, so that they do not share a place of the cache */
 };
 
@@ -19,6 +18,12 @@ enum {
 static size_t place(size_t k, size_t n)
 {
     return 2 * k < n ? 2 * k : 2 * (n - k) - 1;
+}
+
+/** Complex numbers that hold a row of n points; of a few, one each, as lanes are longer than half of them. */
+static size_t numbers_of(size_t n)
+{
+    return n % 2 || n < 8 ? n : n / 2;
 }
 
 /** How often a column of the stored half stands in the whole transform. */
@@ -45,6 +50,8 @@ struct pass {
 #define LANES     4
 #define SWAPPED   1, 0, 3, 2
 #define REVERSED  2, 3, 0, 1
+#define BACKWARDS 3, 2, 1, 0
+#define TWICE     0, 0, 1, 1
 #include "direct/direct_passes.h"
 
 #define REAL      float
@@ -53,6 +60,8 @@ struct pass {
 #define LANES     8
 #define SWAPPED   1, 0, 3, 2, 5, 4, 7, 6
 #define REVERSED  6, 7, 4, 5, 2, 3, 0, 1
+#define BACKWARDS 7, 6, 5, 4, 3, 2, 1, 0
+#define TWICE     0, 0, 1, 1, 2, 2, 3, 3
 #include "direct/direct_passes.h"
 
 enum status_code direct_kernel_make(struct direct_kernel *out, const struct direct_grid *grid, struct status *status)
@@ -65,7 +74,7 @@ enum status_code direct_kernel_make(struct direct_kernel *out, const struct dire
                                   .spacing_m = spacing_m,
                                   .mirrored = grid->mirrored,
                                   .single = grid->single};
-    assert(!grid->mirrored || (nx == ny && nx >= BLOCK));
+    assert((!grid->mirrored || nx == ny) && (nx >= BLOCK || !(grid->mirrored || ny == 1)));
     out->stride = 2 * (nx / 2 + 1);
     size_t most = (size_t)DIRECT_KERNEL_MOST * DIRECT_KERNEL_MOST;
     if (nx < 2 || ny < 1 || nx > most / ny)

@@ -1,31 +1,25 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The transforms of direct_kernel.c, which includes this once for each precision: REAL is the type of a value, OF(name)
  * a name here, FFT(name) one of FFTW's, LANES how many values fill 32 bytes, SWAPPED the order that exchanges the parts
- * of complex numbers, REVERSED that which reverses the numbers. Fields are double in both precisions: a row is
- * converted when it is laid out for its transform. In single precision lengths are in units of the spacing, so that no
- * value leaves its range. */
+ * of complex numbers, REVERSED that which reverses the numbers, BACKWARDS both, TWICE that which repeats each of half
+ * as many values. Fields are double in both precisions: a row is converted when it is laid out for its transform. In
+ * single precision lengths are in units of the spacing, so that no value leaves its range. */
 
 typedef REAL OF(lanes) __attribute__((vector_size(32), aligned(sizeof(REAL)), may_alias));
-
-/** Plans of rows, kept: planning a length again takes 4 % of a short strip's time. */
-static struct OF(row_plans) {
-    size_t nx;
-    FFT(plan) forward, backward;
-} OF(kept)[KEPT];
+typedef REAL OF(half) __attribute__((vector_size(16), aligned(sizeof(REAL)), may_alias));
 
 /** Room, plans and tables. */
 struct OF(room) {
-    size_t stride;                           /* complex numbers from row to row: whole blocks of columns */
-    REAL *line;                              /* one row in the order of its transform */
-    FFT(complex) * field;                    /* the rows' transforms */
-    FFT(complex) * columns;                  /* some of them */
-    FFT(complex) * transformed, *multiplied; /* one's transform, and that times its factors; mirrored, [n] is [0] */
-    REAL *turn;                              /* of a mirrored grid: fill_turn() */
-    REAL *table[DIRECT_TABLES];              /* a column for each wave along x: fill_column() */
+    size_t stride;                                      /* complex numbers from row to row: whole blocks of columns */
+    REAL *line;                                         /* one row in the order of its transform */
+    FFT(complex) * field;                               /* the rows' transforms */
+    FFT(complex) * columns;                             /* some of them */
+    FFT(complex) * transformed, *multiplied;            /* of a row or a column, and times its factors; [n] is [0] */
+    REAL *share;                                        /* of a grid: part_row() */
+    REAL *turn;                                         /* of a mirrored grid: fill_turn() */
+    REAL *table[DIRECT_TABLES];                         /* a column for each wave along x: fill_column() */
     double before[DIRECT_TABLES], after[DIRECT_TABLES]; /* factors of a field as it comes in and goes out */
-    struct OF(row_plans) row;
-    bool kept; /* the plans of its rows are others' too */
-    FFT(plan) column_forward, column_backward;
+    FFT(plan) row_forward, row_backward, column_forward, column_backward;
 };
 
 /** exp(-i pi k/(2 n)), k = -n ... 2 n, laid out for products: the real part twice, the imaginary part with either sign.
@@ -49,16 +43,10 @@ static double OF(factor)(const struct direct_kernel *kernel, enum direct_table t
     return table == DIRECT_STIFFNESS ? q / n : q > 0 ? 1 / (q * n) : 0;
 }
 
-/** Factors of column i; of a mirrored grid those of multiply_mirrored(): all S, then all D, for both parts; of a strip
- * those of pass_row(), for both parts. */
+/** Factors of column i; of a mirrored grid those of multiply_mirrored(): all S, then all D, for both parts. */
 static void OF(fill_column)(const struct direct_kernel *kernel, enum direct_table table, REAL *out, size_t i)
 {
     const size_t n = kernel->ny, half = n / 2 + 1;
-    if (n == 1) {
-        out[0] = (REAL)OF(factor)(kernel, table, i, 0);
-        out[1] = out[0];
-        return;
-    }
     for (size_t j = 0; j < half && !kernel->mirrored; j++)
         out[j] = (REAL)OF(factor)(kernel, table, i, j);
     for (size_t j = 0; j < half && kernel->mirrored; j++) {
@@ -74,24 +62,42 @@ static void OF(fill_column)(const struct direct_kernel *kernel, enum direct_tabl
 /** Values of a column of a table. */
 static size_t OF(column_length)(const struct direct_kernel *kernel)
 {
-    return kernel->ny == 1 ? 2 : (kernel->ny / 2 + 1) * (kernel->mirrored ? 4 : 1);
+    return (kernel->ny / 2 + 1) * (kernel->mirrored ? 4 : 1);
+}
+
+/** Factors of part_row(): all (1 - sin(2 pi k/n))/2, then all cos(2 pi k/n)/2. */
+static void OF(fill_share)(REAL *out, size_t n)
+{
+    for (size_t k = 0; k <= n / 2; k++) {
+        const double angle = 2 * M_PI * (double)k / (double)n;
+        out[k] = (REAL)((1 - sin(angle)) / 2);
+        out[n / 2 + 1 + k] = (REAL)(cos(angle) / 2);
+    }
+}
+
+/** Factors of multiply_strip(): all A, then all B. A pair of transforms of `numbers` multiplies by these, not by the
+ * points. */
+static void OF(fill_strip)(const struct direct_kernel *kernel, enum direct_table table, REAL *out, const REAL *share)
+{
+    const size_t n = kernel->nx, numbers = numbers_of(n);
+    for (size_t k = 0; k < numbers; k++) {
+        const size_t place = numbers < n ? k : 0;
+        const double f = OF(factor)(kernel, table, k <= n / 2 ? k : n - k, 0);
+        const double g = numbers < n ? OF(factor)(kernel, table, numbers - k, 0) : f;
+        const double scale = (double)n / (double)numbers, s = (double)share[place];
+        out[k] = (REAL)(scale * (s * f + (1 - s) * g));
+        out[numbers + k] = (REAL)(scale * (double)share[n / 2 + 1 + place] * (f - g));
+    }
 }
 
 static void OF(make_plans)(void *context)
 {
     struct direct_kernel *kernel = context;
     struct OF(room) *room = kernel->room;
-    int nx = (int)kernel->nx, ny = (int)kernel->ny;
-    size_t k = 0;
-    while (k < KEPT && OF(kept)[k].nx > 0 && OF(kept)[k].nx != kernel->nx)
-        k++;
-    room->kept = k < KEPT;
-    room->row = room->kept ? OF(kept)[k] : (struct OF(row_plans)){0};
-    if (room->row.nx == 0)
-        room->row = (struct OF(row_plans)){kernel->nx, FFT(plan_dft_r2c_1d)(nx, room->line, room->field, FFTW_ESTIMATE),
-                                           FFT(plan_dft_c2r_1d)(nx, room->field, room->line, FFTW_ESTIMATE)};
-    if (room->kept)
-        OF(kept)[k] = room->row;
+    const int ny = (int)kernel->ny, numbers = (int)numbers_of(kernel->nx);
+    FFT(complex) *line = (FFT(complex) *)room->line;
+    room->row_forward = FFT(plan_dft_1d)(numbers, line, room->transformed, FFTW_FORWARD, FFTW_ESTIMATE);
+    room->row_backward = FFT(plan_dft_1d)(numbers, room->multiplied, line, FFTW_BACKWARD, FFTW_ESTIMATE);
     if (ny == 1)
         return;
     room->column_forward = FFT(plan_dft_1d)(ny, room->columns, room->transformed, FFTW_FORWARD, FFTW_ESTIMATE);
@@ -101,10 +107,8 @@ static void OF(make_plans)(void *context)
 static void OF(destroy_plans)(void *context)
 {
     struct OF(room) *room = context;
-    if (!room->kept) {
-        FFT(destroy_plan)(room->row.forward);
-        FFT(destroy_plan)(room->row.backward);
-    }
+    FFT(destroy_plan)(room->row_forward);
+    FFT(destroy_plan)(room->row_backward);
     FFT(destroy_plan)(room->column_forward);
     FFT(destroy_plan)(room->column_backward);
 }
@@ -121,6 +125,7 @@ static void OF(free)(struct direct_kernel *kernel)
     FFT(free)(room->transformed);
     FFT(free)(room->multiplied);
     free(room->turn);
+    free(room->share);
     for (int k = 0; k < DIRECT_TABLES; k++)
         free(room->table[k]);
     free(room);
@@ -130,20 +135,22 @@ static void OF(free)(struct direct_kernel *kernel)
 static bool OF(make)(struct direct_kernel *kernel)
 {
     struct OF(room) *room = kernel->room = calloc(1, sizeof *room);
-    const size_t nx = kernel->nx, ny = kernel->ny, length = OF(column_length)(kernel);
+    const size_t nx = kernel->nx, ny = kernel->ny, length = OF(column_length)(kernel), numbers = numbers_of(nx);
+    const bool strip = ny == 1;
     if (!room)
         return false;
-    room->stride = (nx / 2 + BLOCK) / BLOCK * BLOCK;
-    room->line = FFT(alloc_real)(nx);
-    room->field = FFT(alloc_complex)(ny * room->stride);
+    room->stride = strip ? 0 : (nx / 2 + BLOCK) / BLOCK * BLOCK;
+    room->line = FFT(alloc_real)(2 * numbers);
+    room->field = FFT(alloc_complex)(ny * room->stride + 1);
     room->columns = FFT(alloc_complex)(BLOCK * (ny + GAP));
-    room->transformed = FFT(alloc_complex)(ny + 1);
-    room->multiplied = FFT(alloc_complex)(ny + 1);
+    room->transformed = FFT(alloc_complex)((numbers > ny ? numbers : ny) + 1);
+    room->multiplied = FFT(alloc_complex)((numbers > ny ? numbers : ny) + 1);
     room->turn = malloc(kernel->mirrored ? 4 * (3 * nx + 1) * sizeof(REAL) : 1);
+    room->share = malloc(2 * (nx / 2 + 1) * sizeof(REAL));
     for (int k = 0; k < DIRECT_TABLES; k++)
-        room->table[k] = calloc((nx / 2 + BLOCK) * length, sizeof(REAL));
+        room->table[k] = calloc(strip ? 2 * numbers : (nx / 2 + BLOCK) * length, sizeof(REAL));
     if (!room->line || !room->field || !room->columns || !room->transformed || !room->multiplied || !room->turn ||
-        !room->table[0] || !room->table[1])
+        !room->share || !room->table[0] || !room->table[1])
         return false;
     memset(room->field, 0, ny * room->stride * sizeof *room->field);
     room->before[DIRECT_COMPLIANCE] = room->after[DIRECT_STIFFNESS] = 1;
@@ -152,9 +159,13 @@ static bool OF(make)(struct direct_kernel *kernel)
     fft_plan(OF(make_plans), kernel);
     if (kernel->mirrored)
         OF(fill_turn)(room->turn, nx);
-    for (enum direct_table table = 0; table < DIRECT_TABLES; table++)
-        for (size_t i = 0; i <= nx / 2; i++)
+    OF(fill_share)(room->share, nx);
+    for (enum direct_table table = 0; table < DIRECT_TABLES; table++) {
+        if (strip)
+            OF(fill_strip)(kernel, table, room->table[table], room->share);
+        for (size_t i = 0; i <= nx / 2 && !strip; i++)
             OF(fill_column)(kernel, table, room->table[table] + i * length, i);
+    }
     return true;
 }
 
@@ -184,19 +195,78 @@ CLONES static void OF(take_back)(double *row, const REAL *line, size_t n, bool m
         row[n - 1] = factor * (double)line[n / 2];
 }
 
+/** Transforms a row into `transformed`: two by two, its points are the parts of complex numbers; an odd number of them,
+ * or a few, are real parts beside 0. */
+static void OF(transform_row)(const struct pass *pass, const double *row)
+{
+    const struct direct_kernel *kernel = pass->kernel;
+    const struct OF(room) *room = kernel->room;
+    FFT(complex) *line = (FFT(complex) *)room->line;
+    const size_t n = kernel->nx, numbers = numbers_of(n);
+    OF(lay_out)(room->line, row, n, kernel->mirrored, room->before[pass->table]);
+    for (size_t k = n; numbers == n && k-- > 0;) {
+        line[k][0] = room->line[k];
+        line[k][1] = 0;
+    }
+    FFT(execute_dft)(room->row_forward, line, room->transformed);
+    memcpy(room->transformed + numbers, room->transformed, sizeof *room->transformed);
+}
+
+/** The same backwards, of `multiplied`. */
+static void OF(transform_row_back)(const struct pass *pass, double *row)
+{
+    const struct direct_kernel *kernel = pass->kernel;
+    const struct OF(room) *room = kernel->room;
+    FFT(complex) *line = (FFT(complex) *)room->line;
+    const size_t n = kernel->nx;
+    FFT(execute_dft)(room->row_backward, room->multiplied, line);
+    for (size_t k = 0; numbers_of(n) == n && k < n; k++)
+        room->line[k] = line[k][0];
+    OF(take_back)(row, room->line, n, kernel->mirrored, room->after[pass->table]);
+}
+
+/** Half as many complex numbers as a row has points hold two of them each. With their transform Z, h of them and Z[h] =
+ * Z[0], the row's is X[k] = E + w O, E = (Z[k] + conj Z[h - k])/2, O = (Z[k] - conj Z[h - k])/2i, w = exp(-2 pi i k/n):
+ * X[k] = (s - i c) Z[k] + (1 - s + i c) conj Z[h - k] with the shares s = (1 - sin(2 pi k/n))/2 and c = cos(2 pi
+ * k/n)/2; back, with i for -i, (`sign` -1) twice that. */
+CLONES static void OF(part_row)(FFT(complex) * out, const FFT(complex) * in, size_t count, const REAL *share, size_t h,
+                                REAL sign)
+{
+    enum { NUMBERS = LANES / 2 };
+    const OF(lanes) scale = (OF(lanes)){0} + (REAL)(sign < 0 ? 2 : 1);
+    OF(lanes) alternate;
+    for (size_t i = 0; i < LANES; i++)
+        alternate[i] = i % 2 ? -1 : 1;
+    for (size_t done = 0; done < count; done += NUMBERS) { /* the last places twice, for the sake of whole lanes */
+        const size_t k = done + NUMBERS <= count ? done : count - NUMBERS;
+        const OF(lanes) a = *(const OF(lanes) *)(in + k), b = *(const OF(lanes) *)(in + h - k - (NUMBERS - 1));
+        const OF(half) half[2] = {*(const OF(half) *)(share + k), *(const OF(half) *)(share + h + 1 + k)};
+        const OF(lanes) s = __builtin_shufflevector(half[0], half[0], TWICE);
+        const OF(lanes) c = sign * __builtin_shufflevector(half[1], half[1], TWICE);
+        *(OF(lanes) *)(out + k) =
+            scale *
+            (s * a + (1 - s) * alternate * __builtin_shufflevector(b, b, REVERSED) +
+             c * (alternate * __builtin_shufflevector(a, a, SWAPPED) + __builtin_shufflevector(b, b, BACKWARDS)));
+    }
+}
+
 static void OF(transform_rows)(const struct pass *pass)
 {
     const struct direct_kernel *kernel = pass->kernel;
     struct OF(room) *room = kernel->room;
+    const size_t half = kernel->nx / 2;
     for (size_t j = 0; j < kernel->ny; j++) {
         const double *row = pass->from + j * kernel->stride;
         FFT(complex) *to = room->field + j * room->stride;
         if (row[0] == 0 && memcmp(row, row + 1, (kernel->nx - 1) * sizeof *row) == 0) { /* all 0, as is its transform */
-            memset(to, 0, (kernel->nx / 2 + 1) * sizeof *to);
+            memset(to, 0, (half + 1) * sizeof *to);
             continue;
         }
-        OF(lay_out)(room->line, row, kernel->nx, kernel->mirrored, room->before[pass->table]);
-        FFT(execute_dft_r2c)(room->row.forward, room->line, to);
+        OF(transform_row)(pass, row);
+        if (numbers_of(kernel->nx) == half)
+            OF(part_row)(to, room->transformed, half + 1, room->share, half, 1);
+        else
+            memcpy(to, room->transformed, (half + 1) * sizeof *to);
     }
 }
 
@@ -205,13 +275,18 @@ static void OF(transform_rows_back)(const struct pass *pass)
 {
     const struct direct_kernel *kernel = pass->kernel;
     struct OF(room) *room = kernel->room;
-    const double after = room->after[pass->table];
+    const size_t n = kernel->nx, half = n / 2;
     for (size_t j = 0; j < kernel->ny; j++) {
-        double *row = kernel->field + j * kernel->stride;
+        const FFT(complex) *from = room->field + j * room->stride;
         if (pass->wanted && !pass->wanted[j])
             continue;
-        FFT(execute_dft_c2r)(room->row.backward, room->field + j * room->stride, room->line);
-        OF(take_back)(row, room->line, kernel->nx, kernel->mirrored, after);
+        if (numbers_of(n) == half)
+            OF(part_row)(room->multiplied, from, half, room->share, half, -1);
+        for (size_t k = 0; k < n && numbers_of(n) == n; k++) {
+            room->multiplied[k][0] = from[k <= half ? k : n - k][0];
+            room->multiplied[k][1] = (k <= half ? 1 : -1) * from[k <= half ? k : n - k][1];
+        }
+        OF(transform_row_back)(pass, kernel->field + j * kernel->stride);
     }
 }
 
@@ -319,40 +394,45 @@ static void OF(pass_columns)(struct pass *pass)
     }
 }
 
-/** The same of a strip, which has no columns: waves by whole lanes, the last ones filled up with zeros. */
-CLONES static void OF(pass_row)(struct pass *pass)
+/** Multiplies a strip's transform by its factors. With f and g of X[k] and X[h - k] in part_row(), what the complex
+ * numbers become is A Z[k] + i B conj Z[h - k], A = s f + (1 - s) g, B = c (f - g). */
+CLONES static void OF(multiply_strip)(FFT(complex) * out, const FFT(complex) * in, const REAL *factor, size_t h)
 {
-    enum { SUM = 256 }; /* values summed before they join a double */
-    const struct direct_kernel *kernel = pass->kernel;
-    const struct OF(room) *room = kernel->room;
-    const size_t n = kernel->nx, values = 2 * (n / 2 + 1);
-    const REAL *table = room->table[pass->table];
-    const double last =
-        n % 2 ? 0 : (double)table[n] * (pow((double)room->field[n / 2][0], 2) + pow((double)room->field[n / 2][1], 2));
-    OF(lanes) sums = {0};
-    for (size_t k = 0; k < values; k += LANES) {
-        OF(lanes) *at = (OF(lanes) *)((REAL *)room->field + k), out = *at * *(const OF(lanes) *)(table + k);
-        sums += *at * out;
-        *at = out;
-        for (size_t i = 0; i < LANES && (k % SUM == 0 || k + LANES >= values); i++) {
-            pass->energy += 2 * (double)sums[i];
-            sums[i] = 0;
-        }
+    enum { NUMBERS = LANES / 2 };
+    for (size_t done = 0; done < h; done += NUMBERS) {
+        const size_t k = done + NUMBERS <= h ? done : h - NUMBERS;
+        const OF(lanes) a = *(const OF(lanes) *)(in + k), b = *(const OF(lanes) *)(in + h - k - (NUMBERS - 1));
+        const OF(half) half[2] = {*(const OF(half) *)(factor + k), *(const OF(half) *)(factor + h + k)};
+        *(OF(lanes) *)(out + k) =
+            __builtin_shufflevector(half[0], half[0], TWICE) * a +
+            __builtin_shufflevector(half[1], half[1], TWICE) * __builtin_shufflevector(b, b, BACKWARDS);
     }
-    pass->energy -= last; /* there is one of it, as of the mean, which has no factor */
+}
+
+static void OF(pass_strip)(struct pass *pass)
+{
+    const struct OF(room) *room = pass->kernel->room;
+    const size_t numbers = numbers_of(pass->kernel->nx);
+    OF(transform_row)(pass, pass->from);
+    OF(multiply_strip)(room->multiplied, room->transformed, room->table[pass->table], numbers);
+    if (pass->filter)
+        OF(transform_row_back)(pass, pass->kernel->field);
+    else
+        pass->energy = OF(product)(room->transformed, room->multiplied, numbers);
 }
 
 static void OF(pass)(struct pass *pass)
 {
     const struct OF(room) *room = pass->kernel->room;
     pass->kernel->transforms += pass->filter ? 2 : 1;
-    OF(transform_rows)(pass);
-    if (pass->kernel->ny == 1)
-        OF(pass_row)(pass);
-    else
+    if (pass->kernel->ny == 1) {
+        OF(pass_strip)(pass);
+    } else {
+        OF(transform_rows)(pass);
         OF(pass_columns)(pass);
-    if (pass->filter)
-        OF(transform_rows_back)(pass);
+        if (pass->filter)
+            OF(transform_rows_back)(pass);
+    }
     pass->energy *= room->after[pass->table] / room->before[pass->table];
 }
 
@@ -362,3 +442,5 @@ static void OF(pass)(struct pass *pass)
 #undef LANES
 #undef SWAPPED
 #undef REVERSED
+#undef TWICE
+#undef BACKWARDS

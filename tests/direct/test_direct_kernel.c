@@ -30,6 +30,45 @@ static void lay(struct direct_kernel *kernel, size_t step, double rest)
             kernel->field[j * kernel->stride + i] = value_at(i, j, step, rest);
 }
 
+/** A wave comes out as itself, times 1/|q| or |q|; of a strip also those of all sizes. */
+TEST_CASE(waves)
+{
+    struct direct_grid grids[SHAPES + 40];
+    size_t count = 0;
+    for (size_t shape = 0; shape < SHAPES; shape++)
+        if (!shapes[shape].mirrored)
+            grids[count++] = shapes[shape];
+    for (size_t n = 8; n < 40; n++)
+        grids[count++] = (struct direct_grid){n, 1, 0.1, false, false};
+    for (size_t g = 0; g < count; g++) {
+        const size_t nx = grids[g].nx, ny = grids[g].ny;
+        struct direct_kernel kernel;
+        expect_ok(direct_kernel_make, &kernel, &grids[g]);
+        for (size_t wave = 0; wave < nx * ny; wave++) {
+            const double i = (double)(wave % nx) / (double)nx, j = (double)(wave / nx) / (double)ny;
+            const double q = 2 * M_PI / 0.1 * hypot(fmin(i, 1 - i), fmin(j, 1 - j));
+            for (enum direct_table table = 0; table < DIRECT_TABLES; table++) {
+                const double factor = table == DIRECT_STIFFNESS ? q : q > 0 ? 1 / q : 0;
+                for (int step = 0; step < 2; step++) { /* laid, then compared */
+                    for (size_t k = 0; k < nx * ny; k++) {
+                        double *at = &kernel.field[k / nx * kernel.stride + k % nx];
+                        const double phase = i * (double)(k % nx) + j * (double)(k / nx);
+                        const double value = 1 + cos(2 * M_PI * phase + 0.3);
+                        if (step == 0)
+                            *at = value;
+                        else
+                            assert_within(*at, (wave > 0 ? value - 1 : 0) * factor,
+                                          table == DIRECT_STIFFNESS ? 1e-10 : 1e-12);
+                    }
+                    if (step == 0)
+                        direct_kernel_convolve(&kernel, table, NULL);
+                }
+            }
+        }
+        direct_kernel_free(&kernel);
+    }
+}
+
 /** <f, K f> is what the field times its convolution sums up to, for one transform instead of two. */
 TEST_CASE(energy_by_parseval)
 {
