@@ -1,16 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/fft.h"
 
+#include <math.h>
 #include <pthread.h>
 
 enum {
-    SMALL = 1 << 15, /* records up to it go as complex numbers: FFTW plans those in a tenth of the instructions */
-    KEPT = 16        /* plans of small sizes; a folder of scans has a few */
+    SMALL = 1 << 14, /* complex numbers whose plans are kept */
+    KEPT = 16        /* of them; a folder of scans has a few */
 };
 
 static pthread_mutex_t planner = PTHREAD_MUTEX_INITIALIZER; /* of `kept` too */
 static struct {
-    size_t n;
+    size_t numbers;
     int sign;
     fftw_plan plan;
 } kept[KEPT];
@@ -32,98 +33,113 @@ void fft_plan_free(fftw_plan plan)
 bool fft_room_make(struct fft_room *out, size_t n)
 {
     double *record = fftw_alloc_real(2 * (n / 2 + 1));
-    *out = (struct fft_room){record, n > SMALL ? (fftw_complex *)record : fftw_alloc_complex(n / 2 + 1)};
-    if (out->record && out->transform)
-        return true;
-    fft_room_free(out);
-    return false;
+    *out = (struct fft_room){record, (fftw_complex *)record};
+    return record;
 }
 
 void fft_room_free(struct fft_room *room)
 {
-    if (room->transform != (fftw_complex *)room->record)
-        fftw_free(room->transform);
     fftw_free(room->record);
     *room = (struct fft_room){0};
 }
 
 struct once {
-    double *record; /* NULL: from one transform to the other */
-    fftw_complex *transform, *out;
-    size_t n;
+    fftw_complex *place;
+    size_t numbers;
     int sign;
     bool kept;
     fftw_plan plan;
 };
 
-static void make_plan(void *context)
-{
-    struct once *once = context;
-    int n = (int)once->n;
-    once->plan = !once->record ? fftw_plan_dft_1d(n, once->transform, once->out, once->sign, FFTW_ESTIMATE)
-                 : once->sign == FFTW_BACKWARD ? fftw_plan_dft_c2r_1d(n, once->transform, once->record, FFTW_ESTIMATE)
-                                               : fftw_plan_dft_r2c_1d(n, once->record, once->transform, FFTW_ESTIMATE);
-}
-
 static void find_plan(void *context)
 {
     struct once *once = context;
-    size_t k = 0;
-    while (k < KEPT && kept[k].plan && (kept[k].n != once->n || kept[k].sign != once->sign))
+    size_t k = once->numbers > SMALL ? KEPT : 0;
+    while (k < KEPT && kept[k].plan && (kept[k].numbers != once->numbers || kept[k].sign != once->sign))
         k++;
     once->kept = k < KEPT;
     once->plan = once->kept ? kept[k].plan : NULL;
     if (!once->plan)
-        make_plan(once);
+        once->plan = fftw_plan_dft_1d((int)once->numbers, once->place, once->place, once->sign, FFTW_ESTIMATE);
     if (once->kept)
-        kept[k].n = once->n, kept[k].sign = once->sign, kept[k].plan = once->plan;
+        kept[k].numbers = once->numbers, kept[k].sign = once->sign, kept[k].plan = once->plan;
 }
 
-static bool transform(struct once once)
+/** Transforms complex numbers in place. */
+static bool transform(fftw_complex *place, size_t numbers, int sign)
 {
-    fft_plan(once.record ? make_plan : find_plan, &once);
-    if (once.plan && once.record)
-        fftw_execute(once.plan);
-    else if (once.plan)
-        fftw_execute_dft(once.plan, once.transform, once.out);
+    struct once once = {place, numbers, sign, false, NULL};
+    fft_plan(find_plan, &once);
+    if (once.plan)
+        fftw_execute_dft(once.plan, place, place);
     if (!once.kept)
         fft_plan_free(once.plan);
     return once.plan;
 }
 
-/* A small record, as complex heights with all harmonics. */
-static bool transform_small(double *record, fftw_complex *transformed, size_t n, int sign)
+/** An odd number of heights, as complex ones with all harmonics. */
+static bool transform_odd(double *record, fftw_complex *transformed, size_t n, int sign)
 {
-    size_t apart = (n + 3) / 4 * 4; /* both places aligned alike */
     bool back = sign == FFTW_BACKWARD;
-    fftw_complex *in = fftw_alloc_complex(2 * apart), *out = in + apart;
-    for (size_t j = 0; in && j < n; j++) {
+    fftw_complex *all = fftw_alloc_complex(n);
+    for (size_t j = 0; all && j < n; j++) {
         size_t k = j <= n / 2 ? j : n - j;
-        bool real = !back || j == 0 || 2 * j == n;
-        in[j][0] = back ? transformed[k][0] : record[j];
-        in[j][1] = real ? 0 : j == k ? transformed[k][1] : -transformed[k][1];
+        all[j][0] = back ? transformed[k][0] : record[j];
+        all[j][1] = !back || j == 0 ? 0 : j == k ? transformed[k][1] : -transformed[k][1];
     }
-    bool done = in && transform((struct once){.transform = in, .out = out, .n = n, .sign = sign});
+    bool done = all && transform(all, n, sign);
     for (size_t j = 0; done && back && j < n; j++)
-        record[j] = out[j][0];
+        record[j] = all[j][0];
     for (size_t k = 0; done && !back && k <= n / 2; k++) {
-        transformed[k][0] = out[k][0];
-        transformed[k][1] = k > 0 && 2 * k < n ? out[k][1] : 0;
+        transformed[k][0] = all[k][0];
+        transformed[k][1] = k > 0 ? all[k][1] : 0;
     }
-    fftw_free(in);
+    fftw_free(all);
     return done;
+}
+
+/** Harmonics k = 0 ... h of n = 2 h heights from the transform of the complex numbers that hold two of them each, or
+ * (`back`) those numbers' transform, times 2, from the harmonics; `in` and `out` may be the same. Z[k] = E + i O is of
+ * the even and the odd heights, X[k] = E + exp(-2 pi i k/n) O of all, and those of h - k are the conjugates of the
+ * differences (Cooley, Lewis and Welch, J. Sound Vib. 12 (1970) 315). */
+static void part(fftw_complex *out, const fftw_complex *in, size_t n, bool back)
+{
+    const size_t h = n / 2;
+    const double first = in[0][0], second = in[back ? h : 0][back ? 0 : 1], share = back ? 1 : 0.5;
+    for (size_t k = 1; k <= h / 2; k++) {
+        const double angle = 2 * M_PI * (double)k / (double)n, re = -sin(angle), im = back ? cos(angle) : -cos(angle);
+        const double sum[2] = {in[k][0] + in[h - k][0], in[k][1] - in[h - k][1]};
+        const double difference[2] = {in[k][0] - in[h - k][0], in[k][1] + in[h - k][1]};
+        const double turned[2] = {re * difference[0] - im * difference[1], re * difference[1] + im * difference[0]};
+        out[k][0] = share * (sum[0] + turned[0]);
+        out[k][1] = share * (sum[1] + turned[1]);
+        out[h - k][0] = share * (sum[0] - turned[0]);
+        out[h - k][1] = share * (turned[1] - sum[1]);
+    }
+    out[0][0] = first + second;
+    out[0][1] = back ? first - second : 0;
+    if (back)
+        return;
+    out[h][0] = first - second;
+    out[h][1] = 0;
 }
 
 bool fft_forward(fftw_complex *out, double *in, size_t n)
 {
-    return n > SMALL ? transform((struct once){.record = in, .transform = out, .n = n, .sign = FFTW_FORWARD})
-                     : transform_small(in, out, n, FFTW_FORWARD);
+    if (n % 2)
+        return transform_odd(in, out, n, FFTW_FORWARD);
+    bool done = transform((fftw_complex *)in, n / 2, FFTW_FORWARD);
+    if (done)
+        part(out, (fftw_complex *)in, n, false);
+    return done;
 }
 
 bool fft_backward(double *out, fftw_complex *in, size_t n)
 {
-    return n > SMALL ? transform((struct once){.record = out, .transform = in, .n = n, .sign = FFTW_BACKWARD})
-                     : transform_small(out, in, n, FFTW_BACKWARD);
+    if (n % 2)
+        return transform_odd(out, in, n, FFTW_BACKWARD);
+    part((fftw_complex *)out, in, n, true);
+    return transform((fftw_complex *)out, n / 2, FFTW_BACKWARD);
 }
 
 size_t fft_quick(size_t most, size_t factor)
