@@ -150,11 +150,15 @@ static double condensed(double k, double thickness_over_radius, double magnitude
 static double series(double thickness_over_radius, double magnitude_log, bool alternating)
 {
     enum { TERMS = 18 };
-    double (*at)(double, double, double) = alternating ? term : condensed;
+    double at[TERMS + 1];
     double power = pow(3 + sqrt(8), TERMS), d = (power + 1 / power) / 2, b = -1, c = -d, sum = 0;
+    for (int k = TERMS; k > 0; k--) /* the k-th condensed term holds that of 2 k twice */
+        at[k] = !alternating && 2 * k > TERMS
+                    ? condensed(k, thickness_over_radius, magnitude_log)
+                    : term(k, thickness_over_radius, magnitude_log) + (alternating ? 0 : 2 * at[2 * k]);
     for (int k = 0; k < TERMS; k++) {
         c = b - c;
-        sum += c * at(k + 1, thickness_over_radius, magnitude_log);
+        sum += c * at[k + 1];
         b *= (k + TERMS) * (double)(k - TERMS) / ((k + 0.5) * (k + 1));
     }
     return sum / d;
