@@ -123,22 +123,28 @@ void number_digits(struct text *out, double value, int digits_wanted)
         text_add(out, "%.*g", digits_wanted, value);
         return;
     }
-    uint32_t part[] = {(uint32_t)(digits / 100000000), (uint32_t)(digits % 100000000)}; /* divided faster than all */
-    for (int k = count; k-- > 0; part[k + 8 >= count] /= 10)
-        digit[k] = (char)('0' + part[k + 8 >= count] % 10);
+    uint32_t high = (uint32_t)(digits / 100000000), low = (uint32_t)(digits % 100000000); /* divided faster than all */
+    int k = count;
+    for (; k > 0 && k > count - 8; low /= 10)
+        digit[--k] = (char)('0' + low % 10);
+    for (; k > 0; high /= 10)
+        digit[--k] = (char)('0' + high % 10);
     while (digit[count - 1] == '0')
         count--;
     bool plain = exponent >= -4 && exponent < digits_wanted;
-    int whole = plain ? exponent + 1 : 1; /* digits before the point */
+    int whole = !plain ? 1 : exponent < 0 ? 0 : exponent + 1; /* digits before the point */
     if (value < 0)
         *to++ = '-';
-    for (int k = whole < 1 ? whole - 1 : 0; k < (count > whole ? count : whole); k++) {
-        if (k == whole && k > 0)
-            *to++ = '.';
-        *to++ = (char)(k < 0 || k >= count ? '0' : digit[k]);
-        if (k == whole - 1 && k < 0)
-            *to++ = '.';
-    }
+    memcpy(to, digit, (size_t)whole);
+    to += whole;
+    if (whole == 0)
+        *to++ = '0';
+    if (count > whole)
+        *to++ = '.';
+    for (int zeros = plain ? exponent + 1 : 0; zeros < 0; zeros++)
+        *to++ = '0';
+    for (k = whole; k < count; k++)
+        *to++ = digit[k];
     if (!plain) { /* of two digits: digits_of() goes no further */
         *to++ = 'e';
         *to++ = exponent < 0 ? '-' : '+';
