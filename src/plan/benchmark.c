@@ -23,7 +23,7 @@ static enum status_code time_model(struct benchmark_row *row, struct contact_poi
                                    const struct model_task *task, struct status *status)
 {
     enum { RUNS_MOST = 12 };
-    const double enough_seconds = 2e-3;
+    const double enough_seconds = 5e-4;
     double total = 0;
     row->seconds = INFINITY;
     for (int run = 0; run < RUNS_MOST && total < enough_seconds; run++) {
