@@ -144,7 +144,7 @@ static enum status_code add_profile(const struct surface_scans *task, double lam
                             scan->kind == SCAN_AREAL)) /* for a map it tells how many rows are independent */
         rc = power_law_scans_add(task->scans, profile->height_m, profile->points, profile->spacing_m, profile->digit_m,
                                  status);
-    if (rc == STATUS_OK && scene->counterface_surface.files.count == 0)
+    if (rc == STATUS_OK && scene->counterface_surface.files.count == 0 && !record->variants.left_out)
         rc = variants_add(&record->variants, profile, lambda_s_m, scene, status);
     if (rc == STATUS_OK && scan->kind == SCAN_PROFILE && keeps_direct(record, scene))
         rc = keep_direct(record, scan, profile, status);

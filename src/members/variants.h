@@ -16,6 +16,7 @@ struct variants {
     size_t scans; /* 0: too short to be halved (fewer than 16 points), or not asked for */
     struct member of[VARIANT_COUNT];
     bool levelled[VARIANT_COUNT]; /* as model_task.levelled */
+    bool left_out;                /* set before scans are read: no model will run on them */
 };
 
 /** Adds a profile's variants: low-passed (ISO 16610-21) at twice lambda_s, or four spacings where none is stated,

@@ -121,6 +121,7 @@ static enum status_code describe_one(void *context, size_t index, struct threads
     const struct results *results = &all->prepared->results;
     struct surface_record *record = &results->surfaces[index];
     (void)turn;
+    record->variants.left_out = all->describe_only;
     return record->summary.scene ? STATUS_OK
                                  : surface_read(record, results->scene, &results->scene->surfaces[index],
                                                 all->prepared->counterface, status);
