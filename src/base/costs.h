@@ -6,7 +6,7 @@
 #define BASE_COSTS_H
 
 static const struct {
-    double report_s, surface_s, profile_point_s, map_point_s, load_s, transform_s, map_transforms_elastic,
+    double report_s, surface_s, profile_point_s, map_point_s, load_s, shape_s, transform_s, map_transforms_elastic,
         map_transforms, map_power, record_s, record_point_s, direct_s, direct_power;
 } costs = {
     .report_s = 0.25,           /* a scan of 1000 points, gnuplot's too */
@@ -14,13 +14,13 @@ static const struct {
     .profile_point_s = 1.15e-6, /* 10^7 points less 10^6, whose strips are as long: reading, spectra, tables */
     .map_point_s = 0.4e-6,      /* `plan` of 1024 x 1024 points */
     .load_s = 3e-6,             /* a load of a model: 10 000 loads less 1000 */
-    .transform_s = 12e-9,       /* a point of a strip, there and back: stage `strips` of 10^4 and 10^5 points, over the
-                                   evaluations of `area` */
-    /* transforms of a map's square, and those of a hardness besides: squares of 64 to 512 points a side take 270
-     * side^(1/3) pairs of them, 125 without a hardness; the stage `direct of maps` takes 1.6 transform_s for each of
-     * their points */
-    .map_transforms_elastic = 200,
-    .map_transforms = 232,
+    .shape_s = 0.06,     /* a model's curve with the parts' shape: thermal-interface's less those of flat parts */
+    .transform_s = 8e-9, /* a point of a strip, there and back: stage `strips` of 10^4 and 10^5 points, over the
+                            evaluations of `area` */
+    /* transforms of a map's square, and those of a hardness besides: the stage `direct of maps` of squares of 256 and
+     * 512 points a side over transform_s, their points, and side^(1/3), as which their number grows */
+    .map_transforms_elastic = 150,
+    .map_transforms = 80,
     .map_power = 1. / 3, /* of points a side that these grow as */
     .record_s = 1.3e-3,  /* a simulated record: stage `uncertainty` without strips, of 1000 and of 16 000 points */
     .record_point_s = 0.25e-6,

@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-const double tiles_budget = 5e10;
+const double tiles_budget = 7.5e10;
 
 enum {
     LEAST_SIDE = 32,

@@ -95,6 +95,7 @@ double work_seconds(const struct results *results, size_t threads)
         double points = (double)summary->points * (double)summary->scans, transforms = 0;
         double one = costs.surface_s + points * (map ? costs.map_point_s : costs.profile_point_s);
         one += (double)(models * results->load_count) * fmax(1, map ? 1 : (double)summary->scans) * costs.load_s;
+        one += plan_runs(plan, EFFECT_SHAPE) ? (double)models * costs.shape_s : 0;
         transforms += summary->has_strips ? summary->strip_cost : 0;
         transforms += summary->has_tiles ? summary->tile_cost : 0;
         one += transforms * costs.transform_s;
