@@ -106,8 +106,7 @@ static int longest(const json_t *list, const char *key, const char *only, int le
 {
     size_t i;
     json_t *item;
-    json_array_foreach(list, i, item)
-    {
+    json_array_foreach (list, i, item) {
         const int length = text_characters(json_string_value(json_object_get(item, key)));
         least = length > least && (!only || json_object_get(item, only)) ? length : least;
     }
@@ -149,8 +148,9 @@ static void add_legend(struct chart *chart, json_t *curve)
     const char *title = json_string_value(json_object_get(curve, "title"));
     size_t i;
     json_t *known;
-    json_array_foreach(chart->legend, i,
-                       known) if (strcmp(json_string_value(json_object_get(known, "title")), title) == 0) return;
+    json_array_foreach (chart->legend, i, known)
+        if (strcmp(json_string_value(json_object_get(known, "title")), title) == 0)
+            return;
     json_array_append(chart->legend, curve);
 }
 
@@ -344,15 +344,13 @@ static void align_marks(const struct chart_panel *panel, const struct chart_exte
     double end = wide;
     size_t i;
     json_t *mark;
-    json_array_foreach(panel->marks, i, mark)
-    {
+    json_array_foreach (panel->marks, i, mark) {
         json_object_del(mark, "name_x");
     }
     for (;;) {
         json_t *next = NULL;
         double at = -INFINITY;
-        json_array_foreach(panel->marks, i, mark)
-        {
+        json_array_foreach (panel->marks, i, mark) {
             const double own = json_number_value(json_object_get(mark, "at"));
             if (json_object_get(mark, "vertical") && !json_object_get(mark, "name_x") && own > at) {
                 at = own;

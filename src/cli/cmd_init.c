@@ -48,14 +48,13 @@ static json_t *paths_json(const struct scene_files *files)
 static void add_lacks(json_t *view, const struct scene *scene, const char *file)
 {
     OWNED(memory_free) char *path = scene_file_path(scene, file);
-    struct scan scan;
+    OWNED(scan_free) struct scan scan = {0};
     struct status problem = {0};
     enum status_code code = scan_read(&scan, path ? path : file, &(struct scan_options){0}, &problem);
     if (code == STATUS_OK && scan.kind == SCAN_PROFILE) { /* flat, or with too many gaps? */
-        struct profile profile;
+        OWNED(profile_free) struct profile profile = {0};
         if ((code = profile_make(&profile, &scan, 0, &profile_defaults, &problem)) != STATUS_OK)
             (void)status_prefix(&problem, "%s", path ? path : file);
-        profile_free(&profile);
     }
     const bool said = *scan.unknown_unit[0] || *scan.unknown_unit[1]; /* a unit, which is none of length */
     const bool units = code == STATUS_SCAN && scan.units_lacking && !said && !(*scan.x_unit && *scan.z_unit);
@@ -66,7 +65,6 @@ static void add_lacks(json_t *view, const struct scene *scene, const char *file)
     if (code != STATUS_OK && !units)
         json_object_set_new(view, "problem", json_shown(problem.message));
     status_lost = status_lost || !path;
-    scan_free(&scan);
 }
 
 static enum status_code add_surface(json_t *view, const struct scene *scene, const struct scene_surface *surface,

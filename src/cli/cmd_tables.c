@@ -37,12 +37,10 @@ static int print(json_t *rows, bool as_json)
         command_json_print(rows);
         return command_finish(COMMAND_DONE, NULL);
     }
-    json_array_foreach(rows, i, row)
-    {
+    json_array_foreach (rows, i, row) {
         int before = 0;
         text_add(&text, i > 0 ? "\n" : "");
-        json_object_foreach(row, key, value)
-        {
+        json_object_foreach (row, key, value) {
             if (!json_is_string(value) && !json_is_number(value))
                 continue;
             char number[32];

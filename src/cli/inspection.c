@@ -62,7 +62,7 @@ static enum status_code compute_parameters(struct inspection *out, struct status
 {
     const struct profile *profile = &out->profile;
     struct profile_options primary = out->options;
-    struct profile before;
+    OWNED(profile_free) struct profile before = {0};
     out->primary = parameters_compute('P', profile->height_m, profile->points, profile->spacing_m, 1);
     if (!(out->options.lambda_c_m > 0))
         return STATUS_OK;
@@ -73,7 +73,6 @@ static enum status_code compute_parameters(struct inspection *out, struct status
                                                     profile->spacing_m, out->options.lambda_c_m,
                                                     profile->periodic ? NULL : profile->margin_m, status) == STATUS_OK;
     }
-    profile_free(&before);
     return status->code;
 }
 

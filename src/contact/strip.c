@@ -179,7 +179,8 @@ static enum status_code add_solution(struct strip_curve *curve, struct direct_co
 static enum status_code solve_strip(struct strip_curve *curve, size_t *convolutions, const struct solver *solver,
                                     size_t index, struct status *status)
 {
-    struct direct_contact made, *contact = &made;
+    OWNED(direct_contact_free) struct direct_contact made = {.set = NULL};
+    struct direct_contact *contact = &made;
     const size_t points = solver->points, least_points = strip_least_points(solver->rows);
     const double spacing_m = solver->rows->spacing_m, *strip_m = solver->strip_m + index * points;
     double slope = sqrt(mean_square_slope(strip_m, points, row_length(solver->rows), spacing_m));
@@ -206,7 +207,6 @@ static enum status_code solve_strip(struct strip_curve *curve, size_t *convoluti
         else if (problem.code != STATUS_OK)
             (void)status_fail(status, problem.code, "%s", problem.message);
     }
-    direct_contact_free(contact);
     if (status->code != STATUS_OK)
         return status->code;
     if (curve->count == 0)

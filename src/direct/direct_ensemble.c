@@ -36,7 +36,7 @@ static double ladder_work(const struct direct_ensemble_def *def, size_t n)
 static enum status_code solve_heights(struct direct_point *out, double *height_m, const struct direct_grid *grid,
                                       const struct direct_ensemble_def *def, struct status *status)
 {
-    struct direct_contact contact;
+    OWNED(direct_contact_free) struct direct_contact contact = {.set = NULL};
     enum status_code rc = direct_contact_make(&contact, height_m, grid, status);
     free(height_m);
     if (rc != STATUS_OK)
@@ -48,7 +48,6 @@ static enum status_code solve_heights(struct direct_point *out, double *height_m
         rc = direct_ladder_run(out + i, &contact, &step, status);
         tell(def, (double)(grid->nx * grid->ny));
     }
-    direct_contact_free(&contact);
     return rc;
 }
 

@@ -87,7 +87,7 @@ enum status_code member_of_record(struct member *out, struct fft_room *room, siz
 enum status_code ensemble_add(struct ensemble *set, size_t scan, const struct record_heights *of,
                               const struct record_conditioning *how, struct status *status)
 {
-    struct fft_room room;
+    OWNED(fft_room_free) struct fft_room room = {0};
     struct record_conditioning own = *how;
     struct member *member = ensemble_room(set);
     own.periodic = how->periodic && record_window_is_periodic(of->height_m, of->points);
@@ -97,7 +97,6 @@ enum status_code ensemble_add(struct ensemble *set, size_t scan, const struct re
     memcpy(room.record, of->height_m, of->points * sizeof *of->height_m);
     enum status_code rc = member_of_record(member, &room, of->points, of->spacing_m, &own, status);
     member->scan = scan;
-    fft_room_free(&room);
     return rc;
 }
 

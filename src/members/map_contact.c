@@ -121,16 +121,14 @@ static enum status_code draw_contact(struct map_contact *out, const struct direc
 static enum status_code solve_square(struct map_contact *out, const struct direct_map *map,
                                      const struct direct_contact_load *load, struct status *status)
 {
-    struct direct_contact contact;
+    OWNED(direct_contact_free) struct direct_contact contact = {.set = NULL};
     const size_t n = map->grid.nx;
     struct field field = {&contact, n, malloc(n * n), malloc(n * n * sizeof *field.at)};
     enum status_code rc = field.left && field.at ? STATUS_OK : status_memory(status);
-    if (rc == STATUS_OK && (rc = direct_contact_make(&contact, map->height_m, &map->grid, status)) == STATUS_OK) {
-        if ((rc = direct_contact_solve(&contact, load, status)) == STATUS_OK) {
-            memcpy(field.left, direct_contact_touching(&contact), n * n);
-            rc = draw_contact(out, map, &field, load->hardness, status);
-        }
-        direct_contact_free(&contact);
+    if (rc == STATUS_OK && (rc = direct_contact_make(&contact, map->height_m, &map->grid, status)) == STATUS_OK &&
+        (rc = direct_contact_solve(&contact, load, status)) == STATUS_OK) {
+        memcpy(field.left, direct_contact_touching(&contact), n * n);
+        rc = draw_contact(out, map, &field, load->hardness, status);
     }
     free(field.left);
     free(field.at);
@@ -144,15 +142,13 @@ enum status_code map_contact_find(struct map_contact *out, const struct tiles *t
     const size_t x = tiles->columns > 1 ? 0 : (def->nx - tiles->side) / 2,
                  y = tiles->rows > 1 ? 0 : (def->ny - tiles->side) / 2; /* where the first square begins */
     const struct direct_contact_load task = {load, hardness, tolerance, false, stop};
-    struct direct_map map;
+    OWNED(direct_map_free) struct direct_map map = {.height_m = NULL};
     struct status problem = {0};
     *out = (struct map_contact){
         .points = tiles->side, .spacing_m = def->dx_m, .from_m = {(double)x * def->dx_m, (double)y * def->dx_m}};
     enum status_code rc = direct_map_make(&map, tiles->height_m + y * def->nx + x, def, tiles->side, &problem);
-    if (rc == STATUS_OK) {
+    if (rc == STATUS_OK)
         rc = solve_square(out, &map, &task, &problem);
-        direct_map_free(&map);
-    }
     if (rc != STATUS_OK)
         map_contact_free(out);
     return rc == STATUS_INTERRUPTED || rc == STATUS_MEMORY ? status_fail(status, rc, "%s", problem.message) : STATUS_OK;

@@ -205,7 +205,7 @@ static size_t coarsest(const struct transfer_point *point, size_t loads, double 
 static enum status_code solve(struct transfer_point *out, const struct direct_map *map, struct ladder *ladder,
                               bool refine, atomic_uint_fast64_t *transforms, struct status *status)
 {
-    struct direct_contact contact;
+    OWNED(direct_contact_free) struct direct_contact contact = {.set = NULL};
     size_t at;
     for (size_t i = 0; i < ladder->loads; i++)
         out[i] = (struct transfer_point){ladder->load[i], NAN, NAN, NAN};
@@ -223,7 +223,6 @@ static enum status_code solve(struct transfer_point *out, const struct direct_ma
         ladder->load[at] = load;
         (void)solve_load(&out[at], &contact, load, ladder, transforms, status);
     }
-    direct_contact_free(&contact);
     return status->code;
 }
 
@@ -341,28 +340,23 @@ static enum status_code describe(struct transfer_square *out, const struct direc
 /** Solves one of the other squares. */
 static enum status_code solve_square(struct work *work, int kind, size_t s, struct status *status)
 {
-    struct direct_map map;
-    if (make_square(&map, work->tiles, s, status) != STATUS_OK)
-        return status->code;
-    enum status_code rc = kind == 0 ? describe(&work->square[s], &map, status) : STATUS_OK;
-    if (rc == STATUS_OK)
-        rc = solve(work->square[s].point[kind], &map, &work->ladder[kind], false, &work->transforms, status);
-    direct_map_free(&map);
-    return rc;
+    OWNED(direct_map_free) struct direct_map map = {.height_m = NULL};
+    if (make_square(&map, work->tiles, s, status) == STATUS_OK &&
+        (kind > 0 || describe(&work->square[s], &map, status) == STATUS_OK))
+        (void)solve(work->square[s].point[kind], &map, &work->ladder[kind], false, &work->transforms, status);
+    return status->code;
 }
 
 /** Solves a part of the first square, if it contributes to the error. */
 static enum status_code solve_part(struct work *work, int kind, enum direct_map_part p, struct status *status)
 {
-    struct direct_map map;
+    OWNED(direct_map_free) struct direct_map map = {.height_m = NULL};
     size_t only[TRANSFER_ERRORS];
     struct ladder ladder = told_at(only, &work->ladder[kind]);
     if (p >= DIRECT_MAP_QUARTER ? !quartered(work) : !direct_map_has(&work->first, p))
         return STATUS_OK;
-    if (direct_map_take(&map, &work->first, p, status) != STATUS_OK)
-        return status->code;
-    (void)solve(work->part[kind][p], &map, &ladder, false, &work->transforms, status);
-    direct_map_free(&map);
+    if (direct_map_take(&map, &work->first, p, status) == STATUS_OK)
+        (void)solve(work->part[kind][p], &map, &ladder, false, &work->transforms, status);
     return status->code;
 }
 

@@ -23,20 +23,17 @@ static enum status_code add_variant(struct variants *out, enum variant variant, 
 {
     bool whole = variant == VARIANT_CUTOFF || variant == VARIANT_WHOLE;
     size_t points = whole ? profile->points : profile->points / 2;
-    struct fft_room room;
+    OWNED(fft_room_free) struct fft_room room = {0};
     struct member own = {.strip = NULL}, *mean = &out->of[variant];
     if (!fft_room_make(&room, points))
         return status_memory(status);
-    enum status_code rc = take_variant(&room, points, variant, profile, lambda_s_m, status);
-    if (rc == STATUS_OK)
-        rc = member_of_record(&own, &room, points, profile->spacing_m, how, status);
-    if (rc == STATUS_OK) {
+    if (take_variant(&room, points, variant, profile, lambda_s_m, status) == STATUS_OK &&
+        member_of_record(&own, &room, points, profile->spacing_m, how, status) == STATUS_OK) {
         roughness_average(&mean->roughness, &own.roughness, out->scans);
-        rc = grid_average(&mean->spectrum, &own.spectrum, out->scans, status);
+        (void)!grid_average(&mean->spectrum, &own.spectrum, out->scans, status);
     }
     spectrum_free(&own.spectrum);
-    fft_room_free(&room);
-    return rc;
+    return status->code;
 }
 
 enum status_code variants_add(struct variants *out, const struct profile *profile, double lambda_s_m,

@@ -381,8 +381,7 @@ json_t *json_outline(const struct results *results)
 {
     json_t *limits = tables_json(results, TABLES_LIMITS), *missed = json_array(), *undecided = json_array(), *limit;
     size_t index;
-    json_array_foreach(limits, index, limit)
-    {
+    json_array_foreach (limits, index, limit) {
         const char *verdict = json_string_value(json_object_get(limit, "verdict"));
         if (strcmp(verdict, limit_verdict_words[LIMIT_MISSED]) == 0)
             json_array_append(missed, limit);
@@ -443,8 +442,7 @@ static json_t *claims_json(const json_t *claims)
 {
     json_t *out = json_deep_copy(claims), *claim;
     size_t i;
-    json_array_foreach(out, i, claim)
-    {
+    json_array_foreach (out, i, claim) {
         json_object_del(claim, "markdown");
     }
     return out;

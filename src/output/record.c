@@ -49,8 +49,7 @@ static bool put(struct text *out, const json_t *json, int depth)
         put_real(out, json_real_value(json));
     } else if (json_array_size(json) > 0) {
         text_add_bytes(out, "[", 1);
-        json_array_foreach(json, i, part)
-        {
+        json_array_foreach (json, i, part) {
             begin_line(out, i > 0 ? "," : "", depth + 1);
             ok = put(out, part, depth + 1) && ok;
         }
@@ -58,8 +57,7 @@ static bool put(struct text *out, const json_t *json, int depth)
         text_add_bytes(out, "]", 1);
     } else if (json_object_size(json) > 0) {
         text_add_bytes(out, "{", 1);
-        json_object_foreach((json_t *)json, key, part)
-        {
+        json_object_foreach ((json_t *)json, key, part) {
             json_auto_t *name = json_string(key);
             begin_line(out, count++ > 0 ? "," : "", depth + 1);
             ok = put(out, name, 0) && ok;

@@ -168,7 +168,7 @@ static enum status_code check(const struct synth_def *def, struct status *status
 static enum status_code transform(double *height_m, const struct synth *synth, struct status *status)
 {
     size_t points = synth->def->points;
-    struct fft_room room;
+    OWNED(fft_room_free) struct fft_room room = {0};
     if (!fft_room_make(&room, points))
         return status_memory(status);
     for (size_t n = 0; n <= points / 2; n++) {
@@ -179,7 +179,6 @@ static enum status_code transform(double *height_m, const struct synth *synth, s
     }
     bool done = fft_backward(room.record, room.transform, points);
     memcpy(height_m, room.record, points * sizeof *height_m);
-    fft_room_free(&room);
     return done ? STATUS_OK : status_memory(status);
 }
 

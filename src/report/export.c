@@ -129,8 +129,7 @@ enum status_code export_write(json_t *view, const struct scene *scene, const cha
         bool mm = take_mm(&word);
         asked[mm][scene_words_find(word, programs.name, programs.count)] = true;
     }
-    json_array_foreach(exports, i, item)
-    {
+    json_array_foreach (exports, i, item) {
         for (size_t k = 0; k < programs.count && status->code == STATUS_OK; k++)
             if (asked[json_is_true(json_object_get(item, "mm"))][k])
                 (void)write_one(view, item, &programs, k, directory, status);

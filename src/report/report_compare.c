@@ -175,8 +175,7 @@ static enum status_code take_ranked(struct compared *all, size_t k, const char *
     static const enum quantity criteria[] = {QUANTITY_SHAPE_ECR, QUANTITY_TCR, QUANTITY_AREA};
     const char *name;
     json_t *ignored;
-    json_object_foreach(all->surfaces[k], name, ignored)
-    {
+    json_object_foreach (all->surfaces[k], name, ignored) {
         struct side side = {.value = NAN};
         bool begun = all->ranked_count > 0;
         for (size_t c = begun ? 2 : 0; !(side.value > 0) && c < 3; c++) {
@@ -395,8 +394,7 @@ static void add_input(json_t *view, struct compared *all, json_t *const *of, con
         objects = json_is_object(values[k]) && objects && whole.length < PATH_MOST;
     }
     json_auto_t *keys = keys_of(values, objects ? all->count : 0);
-    json_object_foreach(keys, below, ignored)
-    {
+    json_object_foreach (keys, below, ignored) {
         add_input(view, all, values, text_string(&whole), below);
     }
     for (size_t k = 0; k < all->count && !objects; k++) {
@@ -451,8 +449,7 @@ static void give_back_loads(json_t *scene, double modulus_Pa)
     double scale_N = modulus_Pa * real(json_object_get(scene, "nominal_area_m2"));
     char digits[32];
     size_t i;
-    json_array_foreach(loads, i, load)
-    {
+    json_array_foreach (loads, i, load) {
         snprintf(digits, sizeof digits, "%.12g", real(load) * scale_N); /* without rounding's last digits */
         json_array_set_new(loads, i, json_finite(strtod(digits, NULL)));
     }
@@ -487,8 +484,7 @@ static void put_asked(json_t *results, const char *answers, const char *key, con
 {
     json_t *texts = json_object(), *answer;
     size_t i;
-    json_array_foreach(json_object_get(results, answers), i, answer)
-    {
+    json_array_foreach (json_object_get(results, answers), i, answer) {
         json_object_set_new(texts, string(answer, key), json_true());
     }
     json_object_set_new(json_object_get(results, "scene"), asked, texts);
@@ -531,8 +527,7 @@ static enum status_code add_report(json_t *view, struct compared *all, const cha
     if (rc == STATUS_OK && strcmp(string(results, "program"), "roughcontact") != 0)
         rc = status_fail(status, STATUS_IO, "'%s' is damaged, or not of roughcontact (line %d); report again",
                          name.data, results ? 1 : error.line);
-    json_array_foreach(json_object_get(results, "surfaces"), i, surface)
-    {
+    json_array_foreach (json_object_get(results, "surfaces"), i, surface) {
         keep_measured(all, surface);
         json_object_set(surfaces, string(surface, "surface"), surface);
     }
@@ -577,16 +572,14 @@ enum status_code report_compare(json_t **out, char *const *paths, size_t count, 
         add_input(view, &all, all.results, "", "leading");
         add_input(view, &all, all.results, "", "scene");
         json_auto_t *names = keys_of(all.surfaces, all.count);
-        json_object_foreach(names, name, ignored)
-        {
+        json_object_foreach (names, name, ignored) {
             if (all.items <= limit_most(LIMIT_COMPARED))
                 add_surface(view, &all, name);
         }
         view_flag(view, "nothing_differs", !all.differ);
         view_flag(view, "beside", all.any);
     }
-    json_array_foreach(json_object_get(view, "reports"), i, item)
-    {
+    json_array_foreach (json_object_get(view, "reports"), i, item) {
         if (json_is_number(json_object_get(item, "pressure_Pa")))
             put_load(item, &all, real(json_object_get(item, "pressure_Pa")));
     }

@@ -103,8 +103,7 @@ json_t *view_alike(const json_t *list, const char *part, const json_t *other)
 {
     size_t i;
     json_t *item;
-    json_array_foreach(list, i, item)
-    {
+    json_array_foreach (list, i, item) {
         if (json_equal(part ? json_object_get(item, part) : item, other))
             return item;
     }

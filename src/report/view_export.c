@@ -107,8 +107,7 @@ static void put_rows(json_t *rows, struct law laws[LAWS], const struct surface_r
     }
     size_t j, count = json_array_size(rows);
     json_t *row;
-    json_array_foreach(rows, j, row)
-    {
+    json_array_foreach (rows, j, row) {
         json_set_count(row, "number", j + 1);
         view_flag(row, "few", /* evenly; faces in contact hold no more in CalculiX (2.20: springforc_f2f_th.f) */
                   count <= FEW || j < 2 || (j - 1) * (FEW - 2) / (count - 2) > (j - 2) * (FEW - 2) / (count - 2));

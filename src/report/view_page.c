@@ -57,8 +57,7 @@ static bool ranking_is_told(const struct view_source *source)
 {
     size_t i;
     json_t *claim;
-    json_array_foreach(source->claims, i, claim)
-    {
+    json_array_foreach (source->claims, i, claim) {
         const char *key = json_string_value(json_object_get(claim, "key"));
         if (strcmp(key, "best") == 0 || strncmp(key, "same", 4) == 0)
             return true;
@@ -98,8 +97,7 @@ void view_first_page(json_t *out, const struct view_source *source)
     size_t i;
     json_t *claim, *first = view_list(out, "claims"), *more = view_list(out, "more_claims");
     json_object_set(out, "headline", source->headline);
-    json_array_foreach(source->claims, i, claim)
-    {
+    json_array_foreach (source->claims, i, claim) {
         json_array_append(i < CLAIMS_MOST ? first : more, claim);
     }
     view_flag(out, "several", results->usable_count > 1);

@@ -139,7 +139,7 @@ static enum status_code add_row(struct rows *rows, const struct scan *scan, size
 /** Averages the spectrum of row `y` into the map's, if the row can be a profile. */
 static enum status_code add_spectrum(struct areal *out, const struct scan *scan, size_t y, struct status *status)
 {
-    struct profile profile;
+    OWNED(profile_free) struct profile profile = {0};
     OWNED(spectrum_free) struct spectrum spectrum = {0};
     struct status refused = {0};
     if (profile_make(&profile, scan, y, &profile_defaults, &refused) == STATUS_OK &&
@@ -148,7 +148,6 @@ static enum status_code add_spectrum(struct areal *out, const struct scan *scan,
         power_law_scans_add(&out->scans, profile.height_m, profile.points, profile.spacing_m, profile.digit_m,
                             &refused) == STATUS_OK)
         (void)!grid_average(&out->spectrum, &spectrum, out->scans.scan_count - 1, &refused);
-    profile_free(&profile);
     return refused.code == STATUS_MEMORY ? status_memory(status) : STATUS_OK;
 }
 

@@ -37,12 +37,11 @@ static void put_power(struct spectrum *spectrum, size_t i, double power_m2)
 
 enum status_code grid_add(struct spectrum *sum, const struct spectrum *other, struct status *status)
 {
-    struct spectrum same;
+    OWNED(spectrum_free) struct spectrum same = {0};
     if (grid_spectrum(&same, other, sum->length_m, sum->count, status) != STATUS_OK)
         return status->code;
     for (size_t i = 0; i < sum->count; i++)
         put_power(sum, i, spectrum_power(sum, i) + spectrum_power(&same, i));
-    spectrum_free(&same);
     return STATUS_OK;
 }
 

@@ -57,7 +57,7 @@ enum status_code multitaper_square(double *square_m2, const double *height_m, si
     for (size_t i = 0; i < points; i++)
         if (!isfinite(height_m[i]))
             return status_fail(status, STATUS_SCAN, "height %zu of %zu is not a finite number", i + 1, points);
-    struct fft_room room;
+    OWNED(fft_room_free) struct fft_room room = {0};
     if (!fft_room_make(&room, 2 * points))
         return status_memory(status);
     whiten(room.record, height_m, points);
@@ -67,7 +67,6 @@ enum status_code multitaper_square(double *square_m2, const double *height_m, si
         square_m2[n - 1] = 4 * tapers_mean(room.transform, points, n) / ((double)points * whitening * whitening);
         finite = finite && isfinite(square_m2[n - 1]);
     }
-    fft_room_free(&room);
     if (!done)
         return status_memory(status);
     if (!finite)

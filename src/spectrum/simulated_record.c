@@ -41,9 +41,7 @@ enum status_code simulated_record_prepare(struct simulated_record *out, const do
     if (!simulated_record_possible(square_m2, points))
         return status_fail(status, STATUS_SCAN, "the record has no power to simulate others of it");
     out->deviation_m = calloc(waves + 1, sizeof *out->deviation_m);
-    out->record = fftw_alloc_real(2 * waves);
-    out->wave = fftw_alloc_complex(waves + 1);
-    if (!out->deviation_m || !out->record || !out->wave) {
+    if (!out->deviation_m || !fft_room_make(&out->room, 2 * waves)) {
         simulated_record_free(out);
         return status_memory(status);
     }
@@ -59,7 +57,7 @@ enum status_code simulated_record_draw(double *height_m, const struct simulated_
                                        struct status *status)
 {
     size_t longer = spectrum->points * SIMULATED_RECORD_LONGER, waves = longer / 2;
-    fftw_complex *wave = spectrum->wave;
+    fftw_complex *wave = spectrum->room.transform;
     gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
     if (!random)
         return status_memory(status);
@@ -71,17 +69,16 @@ enum status_code simulated_record_draw(double *height_m, const struct simulated_
     wave[0][0] = wave[0][1] = 0;
     wave[waves][0] *= M_SQRT2; /* the Nyquist wave has half a band, no sine and no mirror image */
     wave[waves][1] = 0;
-    if (!fft_backward(spectrum->record, wave, longer))
+    if (!fft_backward(spectrum->room.record, wave, longer))
         return status_memory(status);
     for (size_t i = 0; i < spectrum->points; i++)
-        height_m[i] = spectrum->record[i];
+        height_m[i] = spectrum->room.record[i];
     return STATUS_OK;
 }
 
 void simulated_record_free(struct simulated_record *spectrum)
 {
     free(spectrum->deviation_m);
-    fftw_free(spectrum->record);
-    fftw_free(spectrum->wave);
+    fft_room_free(&spectrum->room);
     *spectrum = (struct simulated_record){0};
 }

@@ -4,8 +4,8 @@
 #ifndef SPECTRUM_SIMULATED_RECORD_H
 #define SPECTRUM_SIMULATED_RECORD_H
 
+#include "base/fft.h"
 #include "base/status.h"
-#include <fftw3.h>
 #include <stdbool.h>
 #include <stddef.h>
 
@@ -16,10 +16,9 @@ enum {
 
 /** A spectrum ready to draw from. Owned: simulated_record_free(). */
 struct simulated_record {
-    double *deviation_m; /* standard deviation of cosine and sine part of frequency k/(4L), index k = 0 ... 2N */
-    size_t points;       /* N, of the measured and of each simulated record */
-    double *record;      /* room for one record */
-    fftw_complex *wave;
+    double *deviation_m;  /* standard deviation of cosine and sine part of frequency k/(4L), index k = 0 ... 2N */
+    size_t points;        /* N, of the measured and of each simulated record */
+    struct fft_room room; /* for one of the longer records */
 };
 
 /** Takes the spectral density of a record of `points` N >= 16 heights from its multitaper spectrum square_m2[n-1], n =

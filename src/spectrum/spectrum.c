@@ -48,24 +48,21 @@ enum status_code spectrum_of_record(struct spectrum *out, struct fft_room *room,
 enum status_code spectrum_compute(struct spectrum *out, const double *height_m, size_t points, double spacing_m,
                                   enum spectrum_window window, struct status *status)
 {
-    struct fft_room room;
+    OWNED(fft_room_free) struct fft_room room = {0};
     *out = (struct spectrum){0};
     if (!fft_room_make(&room, points))
         return status_memory(status);
     memcpy(room.record, height_m, points * sizeof *height_m);
-    enum status_code rc = spectrum_of_record(out, &room, points, spacing_m, window, status);
-    fft_room_free(&room);
-    return rc;
+    return spectrum_of_record(out, &room, points, spacing_m, window, status);
 }
 
 enum status_code spectrum_add_record(struct spectrum *mean, size_t so_far, const double *height_m, size_t points,
                                      double spacing_m, struct status *status)
 {
-    struct spectrum one;
+    OWNED(spectrum_free) struct spectrum one = {0};
     enum status_code rc = spectrum_compute(&one, height_m, points, spacing_m, SPECTRUM_WINDOW_NONE, status);
     if (rc == STATUS_OK)
         rc = grid_average(mean, &one, so_far, status);
-    spectrum_free(&one);
     return rc;
 }
 

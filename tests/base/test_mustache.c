@@ -38,7 +38,7 @@ TEST_CASE(the_specification_holds)
         size_t i;
         if (!directory_has(PROJECT_SOURCE, name))
             skip();
-        json_array_foreach(json_object_get(directory_json(PROJECT_SOURCE, name), "tests"), i, test)
+        json_array_foreach (json_object_get(directory_json(PROJECT_SOURCE, name), "tests"), i, test)
             check_case(files[f], test);
         assert_true(i > 0);
     }

@@ -90,8 +90,7 @@ static const char *said(const json_t *claims, const char *key, const char *part)
 {
     size_t i;
     const json_t *claim;
-    json_array_foreach(claims, i, claim)
-    {
+    json_array_foreach (claims, i, claim) {
         const char *text = json_string_value(json_object_get(claim, "text"));
         if (strcmp(json_string_value(json_object_get(claim, "key")), key) == 0 && strstr(text, part))
             return text;
@@ -106,13 +105,13 @@ static void expect_list(const json_t *claims)
     size_t i, k;
     const json_t *claim, *other;
     double before = INFINITY, factor, model, scans, waves, load, low, high;
-    json_array_foreach(claims, i, claim)
-    {
+    json_array_foreach (claims, i, claim) {
         const char *key = json_string_value(json_object_get(claim, "key")),
                    *text = json_string_value(json_object_get(claim, "text"));
         const json_t *numbers = json_object_get(claim, "numbers");
-        json_array_foreach(claims, k, other) if (k < i && strncmp(key, "target", 6) && strncmp(key, "limit", 5))
-            assert_string_not_equal(json_string_value(json_object_get(other, "key")), key);
+        json_array_foreach (claims, k, other)
+            if (k < i && strncmp(key, "target", 6) && strncmp(key, "limit", 5))
+                assert_string_not_equal(json_string_value(json_object_get(other, "key")), key);
         /* a limit that is missed is the first of the verdicts */
         const json_t *prior = i > 0 ? json_array_get(claims, i - 1) : NULL;
         if (strcmp(key, "limit") == 0 && strstr(text, " is missed by ") && prior)

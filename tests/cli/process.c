@@ -145,14 +145,14 @@ size_t expect_keys_described(const char *document, json_t *json, bool properties
     size_t keys = 0, index;
     const char *key;
     json_t *value;
-    json_object_foreach(json, key, value)
-    {
+    json_object_foreach (json, key, value) {
         if (!is_row_name(key, properties))
             expect_part(document, filled("`%s`", key));
         keys += 1 + expect_keys_described(document, value, properties);
     }
     if (json_is_array(json))
-        json_array_foreach(json, index, value) keys += expect_keys_described(document, value, properties);
+        json_array_foreach (json, index, value)
+            keys += expect_keys_described(document, value, properties);
     return keys;
 }
 

@@ -243,8 +243,7 @@ TEST_IN_WORKSPACE(test_refusals)
             continue;
         const char *why = NULL;
         size_t k, wrong = 0;
-        json_array_foreach(all, k, one)
-        {
+        json_array_foreach (all, k, one) {
             if (strcmp(json_string_value(json_object_get(one, "surface")), filled("bad-%zu", i)) == 0)
                 why = json_string_value(json_object_get(one, "error"));
         }

@@ -162,20 +162,20 @@ TEST_IN_WORKSPACE(the_first_table_is_of_the_data)
         m++;
     assert_true(m < model_count);
     struct table table = workspace_table(place, "out/data/answers.csv");
-    json_array_foreach(rows, k, row) for (size_t i = 0; i < table.rows; i++)
-    {
-        if (strcmp(table_text(&table, i, "model"), model_rows[m]->name) != 0 ||
-            strcmp(table_text(&table, i, "surface"), json_text_at(row, "surface")) != 0)
-            continue;
-        double scale = table_number(&table, i, "load_N") / table_number(&table, i, "load_over_AnEp");
-        char *dash; /* plain numbers at these loads */
-        double load = strtod(json_text_at(row, "load.value"), NULL),
-               low = strtod(json_text_at(row, "load.interval"), &dash), high = strtod(dash + strlen("–"), NULL);
-        assert_near(load, table_number(&table, i, "load_N"), 6e-2); /* two digits, as the interval is wide */
-        assert_near(low, scale * table_number(&table, i, "low"), 6e-2);
-        assert_near(high, scale * table_number(&table, i, "high"), 6e-2);
-        compared++;
-    }
+    json_array_foreach (rows, k, row)
+        for (size_t i = 0; i < table.rows; i++) {
+            if (strcmp(table_text(&table, i, "model"), model_rows[m]->name) != 0 ||
+                strcmp(table_text(&table, i, "surface"), json_text_at(row, "surface")) != 0)
+                continue;
+            double scale = table_number(&table, i, "load_N") / table_number(&table, i, "load_over_AnEp");
+            char *dash; /* plain numbers at these loads */
+            double load = strtod(json_text_at(row, "load.value"), NULL),
+                   low = strtod(json_text_at(row, "load.interval"), &dash), high = strtod(dash + strlen("–"), NULL);
+            assert_near(load, table_number(&table, i, "load_N"), 6e-2); /* two digits, as the interval is wide */
+            assert_near(low, scale * table_number(&table, i, "low"), 6e-2);
+            assert_near(high, scale * table_number(&table, i, "high"), 6e-2);
+            compared++;
+        }
     assert_int_equal(compared, 2);
 }
 
@@ -191,9 +191,9 @@ static size_t check_load_keys(const json_t *json)
     const char *key;
     json_t *value;
     size_t index, found = 0;
-    json_array_foreach((json_t *)json, index, value) found += check_load_keys(value);
-    json_object_foreach((json_t *)json, key, value)
-    {
+    json_array_foreach ((json_t *)json, index, value)
+        found += check_load_keys(value);
+    json_object_foreach ((json_t *)json, key, value) {
         bool is_load = strstr(key, "load");
         for (size_t k = 0; k < sizeof other / sizeof *other; k++)
             is_load = is_load && strcmp(key, other[k]) != 0;

@@ -18,7 +18,9 @@ static json_t *find(const json_t *array, const char *key, const char *name)
 {
     size_t index;
     json_t *item;
-    json_array_foreach(array, index, item) if (strcmp(json_text_at(item, key), name) == 0) return item;
+    json_array_foreach (array, index, item)
+        if (strcmp(json_text_at(item, key), name) == 0)
+            return item;
     fail_msg("nothing is called '%s'", name);
     return NULL;
 }
@@ -41,8 +43,7 @@ TEST_IN_WORKSPACE(test_tables)
         const size_t fluids = gas_count + gas_liquid_count;
         size_t layers = c == 0 ? 0 : JOINT_PLATINGS - 1 + JOINT_FILLERS - 1 + fluids;
         assert_int_equal(json_array_size(json), (c == 0 ? model_count : material_table_count) + layers);
-        json_array_foreach(json, i, row)
-        {
+        json_array_foreach (json, i, row) {
             bool material = c == 1 && i < material_table_count;
             if (c == 0 || material)
                 assert_string_equal(json_text_at(row, c == 0 ? "model" : "material"),
@@ -52,8 +53,9 @@ TEST_IN_WORKSPACE(test_tables)
             else
                 assert_true(json_number_at(row, "least_thickness_m") < json_number_at(row, "most_thickness_m"));
             assert_true(strlen(json_text_at(row, "source")) > 0);
-            json_object_foreach(row, key, value) if (json_is_string(value))
-                expect_part(text.out, json_string_value(value));
+            json_object_foreach (row, key, value)
+                if (json_is_string(value))
+                    expect_part(text.out, json_string_value(value));
             for (size_t p = 0; p < material_property_count && material; p++)
                 if (!isnan(material_value(&material_table[i], &material_properties[p])))
                     assert_near(json_number_at(row, material_properties[p].key),
@@ -83,8 +85,7 @@ TEST_IN_WORKSPACE(test_plan)
     const json_t *effects = json_object_get(json, "effects"), *row;
     size_t index;
     assert_int_equal(json_array_size(effects), EFFECT_COUNT + 1);
-    json_array_foreach(effects, index, row)
-    {
+    json_array_foreach (effects, index, row) {
         char start[64], runs[16];
         snprintf(start, sizeof start, "\n%-16s ", json_text_at(row, "effect"));
         const char *line = strstr(text.out, start);

@@ -101,8 +101,7 @@ TEST_IN_WORKSPACE(a_plan_says_what_each_effect_changes)
         workspace_write(place, "d/scene.yaml", materials[i]);
         json_t *plan = process_json(expect_exit(place, 0, "plan", "d", "--json")), *effect;
         size_t k;
-        json_array_foreach(json_object_get(plan, "effects"), k, effect)
-        {
+        json_array_foreach (json_object_get(plan, "effects"), k, effect) {
             const char *reason = json_text_at(effect, "reason");
             bool told = *json_text_at(effect, "changes") ||
                         (!json_is_true(json_object_get(effect, "runs")) &&

@@ -85,8 +85,7 @@ static void expect_captions(const char *place, const char *directory, const char
     run_to_exit(place, 0, "report", directory, "-o", out);
     json_t *view = workspace_json(place, filled("%s/view.json", out)), *figure;
     const char *name;
-    json_object_foreach(json_object_get(view, "figures"), name, figure)
-    {
+    json_object_foreach (json_object_get(view, "figures"), name, figure) {
         expect_flags(place, out, name, figure);
         expect_titles_whole(file_of(place, out, name, "gp"));
     }

@@ -105,7 +105,7 @@ TEST_IN_WORKSPACE(what_is_to_be_filled_in)
                    "\nload: ", "\noperating_load: ", "\ntargets: ", "\n    x_unit: mm ", "\n    z_unit: um ");
     json_t *plan = process_json(expect_exit(place, 1, "plan", "d", "--json")), *surface;
     size_t i;
-    json_array_foreach(json_object_get(plan, "surfaces"), i, surface)
+    json_array_foreach (json_object_get(plan, "surfaces"), i, surface)
         assert_int_equal(json_is_null(json_object_get(surface, "refused")), i != 2 && i != 3); /* short.csv, test.csv */
     assert_int_equal(json_integer_value(json_object_get(plan, "targets")), 3);
     assert_true(json_is_true(json_object_get(plan, "material_known")));

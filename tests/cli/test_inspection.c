@@ -142,8 +142,7 @@ TEST_CASE(test_every_reference_figure)
     json_t *all = directory_json(REAL_SCANS, "reference.json"), *entry;
     const char *file;
     assert_true(json_object_size(all) >= 24);
-    json_object_foreach(all, file, entry)
-    {
+    json_object_foreach (all, file, entry) {
         print_message("%s\n", file);
         if (json_object_get(entry, "instrument")) {
             check_instrument(file, entry);

@@ -126,8 +126,7 @@ static double factor_of(const json_t *view, const char *effect)
 {
     size_t i;
     const json_t *row;
-    json_array_foreach(json_object_get(view, "effects"), i, row)
-    {
+    json_array_foreach (json_object_get(view, "effects"), i, row) {
         const json_t *factor = json_object_get(row, "factor");
         if (strcmp(json_string_value(json_object_get(row, "name")), effect) == 0)
             return json_is_number(factor) ? json_number_value(factor) : NAN;

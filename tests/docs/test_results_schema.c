@@ -43,15 +43,15 @@ static bool holds(const json_t *rule, json_t *value, const char *where, char fau
     json_t *told, *part;
     size_t i;
     assert_non_null(rule);
-    json_object_foreach((json_t *)rule, word, told)
-    {
+    json_object_foreach ((json_t *)rule, word, told) {
         bool good = true, items = strcmp(word, "items") == 0, named = strcmp(word, "properties") == 0;
         if (strcmp(word, "type") == 0 || strcmp(word, "enum") == 0)
             good = is_any(told, value, *word == 't');
         else if (strcmp(word, "minimum") == 0)
             good = !json_is_number(value) || json_number_value(value) >= json_number_value(told);
         else if (strcmp(word, "required") == 0)
-            json_array_foreach(told, i, part) good = good && json_object_get(value, json_string_value(part));
+            json_array_foreach (told, i, part)
+                good = good && json_object_get(value, json_string_value(part));
         else if (strcmp(word, "$ref") == 0 &&
                  !holds(json_object_get(defs, json_string_value(told) + 8), value, where, fault))
             return false;
@@ -61,14 +61,12 @@ static bool holds(const json_t *rule, json_t *value, const char *where, char fau
             snprintf(fault, TEXT, "%s: %s", where, word);
             return false;
         }
-        json_array_foreach(items ? value : NULL, i, part)
-        {
+        json_array_foreach (items ? value : NULL, i, part) {
             snprintf(inner, sizeof inner, "%s/%zu", where, i);
             if (!holds(told, part, inner, fault))
                 return false;
         }
-        json_object_foreach(named || *word == 'a' ? value : NULL, key, part)
-        {
+        json_object_foreach (named || *word == 'a' ? value : NULL, key, part) {
             const json_t *own = json_object_get(json_object_get(rule, "properties"), key);
             snprintf(inner, sizeof inner, "%s/%s", where, key);
             if (named == (own != NULL) && !holds(named ? own : told, part, inner, fault))

@@ -139,8 +139,7 @@ TEST_CASE(test_the_pages_units)
                *tin = strstr(materials, "\n| tin |") + 1;
     double wavelength_um = strtod(strstr(rows, "αλᵞ at ") + strlen("αλᵞ at "), NULL);
     size_t i, laws = 0;
-    json_array_foreach(json_object_get(root, "surfaces"), i, surface)
-    {
+    json_array_foreach (json_object_get(root, "surfaces"), i, surface) {
         const char *row = strstr(rows, filled("\n| %s |", json_string_value(json_object_get(surface, "surface")))) + 1;
         for (size_t n = 0; n < sizeof numbers / sizeof *numbers; n++) {
             const double shown = cell_of(row, column_of(rows, numbers[n].head));
@@ -168,8 +167,7 @@ TEST_CASE(test_the_ratios)
 {
     json_t *root = directory_json(*state, "out/results.json"), *pair;
     size_t i;
-    json_array_foreach(json_object_get(json_object_get(root, "comparison"), "pairs"), i, pair)
-    {
+    json_array_foreach (json_object_get(json_object_get(root, "comparison"), "pairs"), i, pair) {
         double ratio, low, high, p;
         const char *verdict;
         assert_int_equal(json_unpack(pair, "{s:s, s:F, s:[F, F], s:F}", "verdict", &verdict, "ratio", &ratio,

@@ -373,16 +373,14 @@ TEST_CASE(test_estimates_have_one_name)
     json_t *surface = json_array_get(json_object_get(root, "surfaces"), 2);
     const char *model, *key;
     size_t found = 0, rows = 0;
-    json_object_foreach(json_object_get(surface, "models"), model, of)
-        json_object_foreach(json_object_get(of, "at_middle_load"), key, estimate)
-    {
-        bool curve = strcmp(key, "beta") == 0 || strcmp(key, "full_contact_load_over_AnEp") == 0;
-        const char *name = filled("%s%s_%s", key, curve ? "" : "_at_middle_load", model);
-        assert_near(json_number_value(json_object_get(estimate, "mean")), spread_mean(&spread, "rough", name), 0);
-        found++;
-    }
-    json_object_foreach(json_object_get(surface, "spread"), key, estimate)
-    {
+    json_object_foreach (json_object_get(surface, "models"), model, of)
+        json_object_foreach (json_object_get(of, "at_middle_load"), key, estimate) {
+            bool curve = strcmp(key, "beta") == 0 || strcmp(key, "full_contact_load_over_AnEp") == 0;
+            const char *name = filled("%s%s_%s", key, curve ? "" : "_at_middle_load", model);
+            assert_near(json_number_value(json_object_get(estimate, "mean")), spread_mean(&spread, "rough", name), 0);
+            found++;
+        }
+    json_object_foreach (json_object_get(surface, "spread"), key, estimate) {
         const json_t *mean = json_object_get(estimate, "mean");
         if (json_is_number(mean)) /* else nothing is known of it, which is no row */
             assert_near(json_number_value(mean), spread_mean(&spread, "rough", key), 0);

@@ -66,8 +66,7 @@ static const char *claim_of(const char *key)
     size_t i;
     const json_t *claim;
     for (int k = 0; k < 2; k++)
-        json_array_foreach(json_object_get(made.view, lists[k]), i, claim)
-        {
+        json_array_foreach (json_object_get(made.view, lists[k]), i, claim) {
             if (strcmp(view_at(claim, "key"), key) == 0)
                 return view_at(claim, "text");
         }
@@ -530,10 +529,10 @@ static void check_names(const json_t *view, const char *document, const char *sc
     json_t *member;
     size_t i;
     if (json_is_array(view)) {
-        json_array_foreach(view, i, member) check_names(member, document, schema);
+        json_array_foreach (view, i, member)
+            check_names(member, document, schema);
     } else if (json_is_object(view)) {
-        json_object_foreach((json_t *)(uintptr_t)view, key, member)
-        {
+        json_object_foreach ((json_t *)(uintptr_t)view, key, member) {
             if (!strstr(document, filled("`%s`", key)) && !strstr(schema, filled("\"%s\"", key)))
                 fail_msg("docs/templates.md does not name %s", key);
             if (strcmp(key, "numbers") != 0 || !json_is_object(member)) /* a claim's, which its words name */

@@ -31,8 +31,7 @@ static void assert_found(const char *name, const char *expected)
     size_t i, k;
     const json_t *item, *number, *found = NULL;
     struct text *said = support_text();
-    json_array_foreach(json_object_get(made.view, "findings"), i, item)
-    {
+    json_array_foreach (json_object_get(made.view, "findings"), i, item) {
         found = strcmp(json_text_at(item, "name"), name) == 0 ? item : found;
     }
     if (!found != !expected)
@@ -46,8 +45,7 @@ static void assert_found(const char *name, const char *expected)
     text_add(said, "%lld of %lld", (long long)good, (long long)all);
     if (json_object_get(found, "ties"))
         text_add(said, ", %lld alike", (long long)json_integer_value(json_object_get(found, "ties")));
-    json_array_foreach(json_object_get(found, "numbers"), k, number)
-    {
+    json_array_foreach (json_object_get(found, "numbers"), k, number) {
         text_add(said, k == 0 ? ": " : "; ");
         number_format_range(said, json_number_at(number, "range/least"), json_number_at(number, "range/most"), 2,
                             " to ");

@@ -39,7 +39,8 @@ static struct work work_of(const char *scene)
     assert_int_equal(json_object_size(work), WORK_ROWS);
     struct work out = {evaluations(work, "area"), evaluations(work, "plasticity"), evaluations(work, "convergence"),
                        evaluations(work, "uncertainty"), 0};
-    json_object_foreach((json_t *)work, name, row) out.all += evaluations(work, name);
+    json_object_foreach ((json_t *)work, name, row)
+        out.all += evaluations(work, name);
     return out;
 }
 
