@@ -234,7 +234,7 @@ CLONES static void OF(part_row)(FFT(complex) * out, const FFT(complex) * in, siz
 {
     enum { NUMBERS = LANES / 2 };
     const OF(lanes) scale = (OF(lanes)){0} + (REAL)(sign < 0 ? 2 : 1);
-    OF(lanes) alternate;
+    OF(lanes) alternate = {0};
     for (size_t i = 0; i < LANES; i++)
         alternate[i] = i % 2 ? -1 : 1;
     for (size_t done = 0; done < count; done += NUMBERS) { /* the last places twice, for the sake of whole lanes */
