@@ -201,6 +201,11 @@ static enum status_code solve_tiles(struct surface_record *record, struct plan *
     summary->times.tiles = clock_seconds() - started;
     if (summary->has_tiles && tiles->def.cutoff > 0)
         note_add(&summary->notes, NULL, "note.low_pass");
+    const size_t squares = tiles->columns * tiles->rows;
+    const double share = tiles_share(tiles);
+    if (summary->has_tiles && (squares > 1 || share < 0.9))
+        note_add(&summary->notes, NULL, "note.squares\nsquares %zu\n%s\nside %zu\npercent %.2g", squares,
+                 squares == 1 ? "one" : "", tiles->side, 100 * share);
     if (summary->has_tiles)
         return STATUS_OK;
     summary->tile_cost = 0; /* a larger budget would not help */

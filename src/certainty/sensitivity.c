@@ -37,8 +37,10 @@ static double ratio(const struct contact_point *a, const struct contact_point *b
 }
 
 enum status_code sensitivity_run(struct sensitivity_factors *out, const struct variants *variants,
-                                 const struct model_row *model, const struct model_task *task, struct status *status)
+                                 const struct model_row *model, const struct model_task *asked, struct status *status)
 {
+    struct model_task whole = *asked, *task = &whole;
+    whole.transfer = NULL; /* a map's spectrum stays as it is, that of its rows does not */
     struct contact_point as_is, harder = quantity_nothing(), points[VARIANT_COUNT];
     struct material_pair pair = *task->pair;
     struct model_task raised = *task;

@@ -627,11 +627,23 @@ static bool one_direction(struct claims *c)
     return some && one >= 1.1 * two && !gaps_conduct(c) && !runs(c, EFFECT_SHAPE); /* with a hardness it is little */
 }
 
+/** The same of a map that is solved itself, whose interval is of maps of its size. */
+static double map_waves_sd(const struct claims *c, size_t surface)
+{
+    const struct known known = known_value(c->results, c->asked.quantity, surface);
+    return nothing_touches(c, surface) || known.measured || known.kind == KNOWN_NOTHING
+               ? 0
+               : fmax(0, accuracy_few_waves_sd(c->results, surface));
+}
+
 static bool short_scans(struct claims *c)
 {
-    const struct extent sd = extent_of(c, waves_sd, INFINITY);
+    const bool map = model_rows[c->leading]->uses_map;
+    const struct extent sd = extent_of(c, map ? map_waves_sd : waves_sd, INFINITY);
+    c->weight = model_factor(sd.most);
     put(c, "waves", summary_of(c, sd.at_most)->longest_waves);
-    put(c, "factor", c->weight = model_factor(sd.most));
+    if (!map)
+        put(c, "factor", c->weight);
     put_surface(c, sd.at_most);
     return c->weight >= 1.1;
 }

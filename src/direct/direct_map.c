@@ -136,9 +136,9 @@ enum status_code direct_map_condition(double *height_m, struct direct_map_def *d
         return status->code;
     def->periodic = along.count == ny && across.count == nx && along.seam <= most_seam * along.inside &&
                     across.seam <= most_seam * across.inside;
-    bool noisy = !(along.noise + across.noise <= noise_share * (along.slope + across.slope));
+    def->noisy = !(along.noise + across.noise <= noise_share * (along.slope + across.slope));
     if (!(def->cutoff > 0))
-        def->cutoff = !as_measured && (noisy || along.count + across.count == 0) ? cutoff_spacings : 0;
+        def->cutoff = !as_measured && (def->noisy || along.count + across.count == 0) ? cutoff_spacings : 0;
     if (def->cutoff <= 0)
         return STATUS_OK;
     const struct scan scan = {.nx = nx, .ny = ny, .z_m = height_m};
@@ -223,7 +223,7 @@ static enum status_code take_square(struct direct_map *map, const double *from, 
         missing[k] = !isfinite(height[k]);
         holes += missing[k];
     }
-    if (2 * holes > n * n)
+    if ((double)holes > DIRECT_MAP_HOLES * (double)(n * n))
         (void)status_fail(status, STATUS_SCAN,
                           "%zu of the map's %zu points are missing; fill them or take another part", holes, n * n);
     else if (holes == 0 || fill(height, missing, n, map->cutoff, status) == STATUS_OK)
@@ -276,8 +276,13 @@ enum status_code direct_map_take(struct direct_map *out, const struct direct_map
     const struct direct_grid *grid = &map->grid;
     const size_t all = grid->nx, every = part == DIRECT_MAP_WHOLE ? 1 : 2, n = all / every, half = all / 2;
     const bool wider = part == DIRECT_MAP_WIDER;
-    const struct direct_map_def def = {all,         all,         grid->spacing_m, grid->spacing_m, !grid->mirrored,
-                                       map->cutoff, grid->single};
+    const struct direct_map_def def = {.nx = all,
+                                       .ny = all,
+                                       .dx_m = grid->spacing_m,
+                                       .dy_m = grid->spacing_m,
+                                       .periodic = !grid->mirrored,
+                                       .cutoff = map->cutoff,
+                                       .single = grid->single};
     if (part >= DIRECT_MAP_QUARTER) {
         size_t quarter = (size_t)(part - DIRECT_MAP_QUARTER);
         return direct_map_make(out, map->height_m + (quarter / 2 * all + quarter % 2) * half, &def, half, status);

@@ -6,6 +6,9 @@
 
 #include "direct/direct_kernel.h"
 
+/** Share of a square's points that may be missing. */
+#define DIRECT_MAP_HOLES 0.5
+
 /** Rows and columns of heights, and what is known of them. */
 struct direct_map_def {
     size_t nx, ny;
@@ -13,6 +16,7 @@ struct direct_map_def {
     bool periodic; /* the map closes on itself in both directions */
     double cutoff; /* of its low-pass, in spacings; 0: none */
     bool single;   /* solved in single precision (struct direct_grid) */
+    bool noisy; /* short waves were found to be noise; else a low-pass was asked for, or no line is complete to tell */
 };
 
 /** Rows or columns of a map: `count` lines of `points` heights, `step` apart in a line and `next` from line to line. */

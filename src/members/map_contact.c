@@ -144,8 +144,10 @@ enum status_code map_contact_find(struct map_contact *out, const struct tiles *t
     const struct direct_contact_load task = {load, hardness, tolerance, false, stop};
     OWNED(direct_map_free) struct direct_map map = {.height_m = NULL};
     struct status problem = {0};
-    *out = (struct map_contact){
-        .points = tiles->side, .spacing_m = def->dx_m, .from_m = {(double)x * def->dx_m, (double)y * def->dx_m}};
+    *out = (struct map_contact){.points = tiles->side,
+                                .squares = tiles->columns * tiles->rows,
+                                .spacing_m = def->dx_m,
+                                .from_m = {(double)x * def->dx_m, (double)y * def->dx_m}};
     enum status_code rc = direct_map_make(&map, tiles->height_m + y * def->nx + x, def, tiles->side, &problem);
     if (rc == STATUS_OK)
         rc = solve_square(out, &map, &task, &problem);

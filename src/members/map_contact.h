@@ -15,6 +15,7 @@ struct map_spot {
 
 /** Owned: map_contact_free(). */
 struct map_contact {
+    size_t squares;                                 /* of the map that are solved, this one the first */
     size_t cells;                                   /* a side of the picture */
     double cell_m, from_m[2];                       /* side of a cell; where the square begins in its map */
     double *height_m;                               /* cells * cells, row after row: mean height of each */

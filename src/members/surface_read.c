@@ -337,6 +337,12 @@ static enum status_code conclude(struct surface_record *record, struct power_law
         note_add(&summary->notes, NULL, "note.no_square");
     bool capped = summary->pair.hardness_Pa > 0;
     double most = scene->models_named ? INFINITY : tiles_budget / (double)scene->surface_count;
+    const double missing = tiles_missing(&record->tiles);
+    if (missing > 0)
+        note_add(&summary->notes, NULL, "note.holes\n%s\npercent %.2g", missing > DIRECT_MAP_HOLES ? "much" : "",
+                 100 * missing);
+    if (missing > DIRECT_MAP_HOLES)
+        tiles_free(&record->tiles);
     summary->has_tiles = tiles_fit(&record->tiles, capped, most);
     summary->tile_cost = tiles_cost(&record->tiles, capped);
     if (describe(record, scans, scene, status) != STATUS_OK)

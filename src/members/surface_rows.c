@@ -231,7 +231,10 @@ static void note_map(const struct surface_scans *task, const char *file, const s
     note_add(&task->record->summary.notes, file,
              "note.map\n%s %.3g\n%s\nsq %.3g\nsq_left %.3g\nslope %.2g\nslope_left %.2g\nused %zu\n%s\n%s %zu",
              map->cutoff > 0 ? "cut" : "whole", map->cutoff * map->dx_m * 1e6,
-             task->scene->lambda_s_m > 0 ? "" : "noisy", of[0].sq_m * 1e6, of[1].sq_m * 1e6, of[0].sdq, of[1].sdq, used,
+             task->scene->lambda_s_m > 0 ? ""
+             : map->noisy                ? "noisy"
+                                         : "untold",
+             of[0].sq_m * 1e6, of[1].sq_m * 1e6, of[0].sdq, of[1].sdq, used,
              task->scene->direction == SCAN_DIRECTION_X ? "" : "columns", run < used ? "run" : "all", run);
 }
 

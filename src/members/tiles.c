@@ -82,6 +82,34 @@ void tiles_pair(struct tiles *tiles, const struct tiles *other)
     tiles->def.cutoff = fmax(own->cutoff, theirs->cutoff);
 }
 
+/** Where square s begins: they are evenly spaced over the map. */
+static size_t first_of(const struct tiles *tiles, size_t s)
+{
+    size_t column = s % tiles->columns, row = s / tiles->columns;
+    size_t free_x = tiles->def.nx - tiles->side, free_y = tiles->def.ny - tiles->side;
+    size_t x = tiles->columns > 1 ? column * free_x / (tiles->columns - 1) : free_x / 2,
+           y = tiles->rows > 1 ? row * free_y / (tiles->rows - 1) : free_y / 2;
+    return y * tiles->def.nx + x;
+}
+
+double tiles_missing(const struct tiles *tiles)
+{
+    double most = 0, points = (double)(tiles->side * tiles->side);
+    for (size_t s = 0; tiles->height_m && s < tiles->columns * tiles->rows; s++) {
+        size_t holes = 0;
+        const double *first = tiles->height_m + first_of(tiles, s);
+        for (size_t k = 0; k < tiles->side * tiles->side; k++)
+            holes += isnan(first[k / tiles->side * tiles->def.nx + k % tiles->side]) != 0;
+        most = fmax(most, (double)holes / points);
+    }
+    return most;
+}
+
+double tiles_share(const struct tiles *tiles)
+{
+    return (double)(tiles->columns * tiles->rows * tiles->side * tiles->side) / (double)(tiles->def.nx * tiles->def.ny);
+}
+
 double tiles_cost(const struct tiles *tiles, bool capped)
 {
     if (!tiles->height_m)
@@ -300,16 +328,6 @@ static void find_errors(struct transfer_errors *out, struct work *work, int kind
         }
     }
     out->count = ladder.loads;
-}
-
-/** Where square s begins: they are evenly spaced over the map. */
-static size_t first_of(const struct tiles *tiles, size_t s)
-{
-    size_t column = s % tiles->columns, row = s / tiles->columns;
-    size_t free_x = tiles->def.nx - tiles->side, free_y = tiles->def.ny - tiles->side;
-    size_t x = tiles->columns > 1 ? column * free_x / (tiles->columns - 1) : free_x / 2,
-           y = tiles->rows > 1 ? row * free_y / (tiles->rows - 1) : free_y / 2;
-    return y * tiles->def.nx + x;
 }
 
 static enum status_code take_bearing(double out[TRANSFER_BEARING], const struct direct_map *map, struct status *status)

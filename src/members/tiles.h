@@ -30,6 +30,11 @@ void tiles_take(struct tiles *out, struct scan *scan, const struct direct_map_de
  * tiles. */
 void tiles_pair(struct tiles *tiles, const struct tiles *other);
 
+/** The largest share of missing points in a square that is solved. */
+double tiles_missing(const struct tiles *tiles);
+/** The squares' share of the map. */
+double tiles_share(const struct tiles *tiles);
+
 /** Approximate cost of the squares, in pairs of transforms times points; 0: no map. */
 double tiles_cost(const struct tiles *tiles, bool capped);
 /** The most that a report spends on maps, in these units, unless its scene names the models: about ten minutes of one

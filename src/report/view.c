@@ -139,6 +139,8 @@ static void add_map(json_t *figure, const struct view_source *source, size_t sur
     const struct map_contact *contact = &source->results->surfaces[surface].contact;
     view_text(figure, "surface", view_name(source, surface));
     view_load(figure, "load", source, surface, results_operating_load(source->results, surface));
+    if (contact->squares > 1)
+        json_set_count(figure, "squares", contact->squares);
     view_number(figure, "contact_percent", 100 * contact->touched, 2, "");
     if (contact->flowed > 0)
         view_number(figure, "flowed_percent", 100 * contact->flowed, 2, "");

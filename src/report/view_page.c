@@ -35,9 +35,13 @@ static void put_row(json_t *out, json_t *row, const struct view_source *source, 
         [LIMIT_NO_VALUE] = "no_value", [LIMIT_MET] = "met", [LIMIT_MISSED] = "missed", [LIMIT_UNDECIDED] = "undecided"};
     const struct comparison *ranking = source->comparison;
     const struct surface_summary *summary = view_summary(source, surface);
+    const bool both = source->results->counterface; /* rough: heights of both bodies together */
     view_text(row, "surface", view_name(source, surface));
     view_flag(row, "map", summary->has_map);
-    json_set(row, "rq_m", summary->has_map ? summary->measured.sq_m : summary->roughness.rq_m);
+    json_set(row, "rq_m",
+             !summary->has_map ? summary->roughness.rq_m
+             : both            ? summary->rough.sigma_m
+                               : summary->measured.sq_m);
     view_law(row, &summary->power_law);
     put_known(out, row, "value", source, NULL, surface);
     if (source->asked.target)

@@ -49,6 +49,13 @@ static void make_folder(const char *place)
     workspace_shell(
         place,
         PROGRAM " synth --map --points 64 --length 0.128mm --gamma 1.25 --lambda-s 8um --rq 0.4um --seed 3 -o m.sdf");
+    struct text *map = support_text(); /* of waves longer than itself */
+    text_add(map, "aISO-1.0\nNumPoints = 48\nNumProfiles = 48\nXscale = 1e-6\nYscale = 1e-6\nZscale = 1e-9\n*\n");
+    for (int k = 0; k < 48 * 48; k++) {
+        const double x = k % 48, y = (double)(k / 48);
+        text_add(map, "%.0f\n", 400 * sin(x / 11 + 0.3) * cos(y / 13) + 30 * sin(0.9 * x + 0.4 * y) * cos(0.7 * y));
+    }
+    workspace_write(place, "long.sdf", text_string(map));
     workspace_write(place, "d/bad.csv", "x_um,z_um\n1,2\n");
     workspace_shell(place,
                     "cd d && mkdir two three && cp b-1.csv b-2.csv two && cp b-1.csv two/b-9.csv && cp two/* three "

@@ -136,7 +136,7 @@ TEST_CASE(work_is_told_step_by_step)
     for (int kind = 0; kind < 3; kind++) {
         struct told told = {0, 0};
         struct direct_map map = {0};
-        struct direct_map_def square = {64, 64, 1.0 / 64, 1.0 / 64, false, 6, false};
+        struct direct_map_def square = {64, 64, 1.0 / 64, 1.0 / 64, false, 6, false, false};
         struct direct_ensemble_def def = def_of(&scale, 1);
         def.seeds = 2;
         def.solved = tell;

@@ -12,7 +12,7 @@ static double even_wave(size_t i)
 /** n x n heights as a map that has neither been filtered nor closes on itself. */
 static struct direct_map map_of(const double *height, size_t n)
 {
-    const struct direct_map_def def = {n, n, 1, 1, false, 0, false};
+    const struct direct_map_def def = {n, n, 1, 1, false, 0, false, false};
     struct direct_map map;
     expect_ok(direct_map_make, &map, height, &def, n);
     return map;
@@ -33,11 +33,11 @@ TEST_CASE(mirrored_or_whole)
     for (size_t k = 0; k < N * N; k++)
         height[k] = 7 + even_wave(k % N) + sin(2 * M_PI * (double)(k / N) / N);
     for (int odd = 0; odd < 2; odd++) { /* part of it is not periodic; of an odd one every second point would not be */
-        struct direct_map_def def = {N - (size_t)odd, N, 1, 1, false, 0, false};
+        struct direct_map_def def = {N - (size_t)odd, N, 1, 1, false, 0, false, false};
         expect_ok(direct_map_condition, height, &def, false);
         assert_true(def.periodic == !odd && def.cutoff == 0);
         assert_true(direct_map_mirrored(&def, N / 2));
-        assert_true(direct_map_mirrored(&(struct direct_map_def){31, 31, 1, 1, true, 0, false}, N));
+        assert_true(direct_map_mirrored(&(struct direct_map_def){31, 31, 1, 1, true, 0, false, false}, N));
         expect_ok(direct_map_make, &map, height, &def, N);
         assert_true(map.grid.mirrored == odd && map.grid.nx == N - (size_t)odd);
         for (size_t k = 0; k < N * N && !odd; k++)
@@ -54,7 +54,7 @@ TEST_CASE(low_pass)
     enum { NX = 64, NY = 48 };
     double height[NX * NY];
     for (int noisy = 0; noisy < 4; noisy++) { /* 3: rows twice as far apart as points, and the same cut-off */
-        struct direct_map_def def = {NX, NY, 2, noisy == 3 ? 4 : 2, false, 0, false};
+        struct direct_map_def def = {NX, NY, 2, noisy == 3 ? 4 : 2, false, 0, false, false};
         const double passed = exp2(-(noisy == 3 ? 1.25 : 2) * 36.0 / 256);
         for (size_t k = 0; k < NX * NY; k++)
             height[k] = 3 + even_wave(k % NX) * even_wave(k / NX) + (noisy ? 0.1 : 0) * ((k + k / NX) % 2 ? 1 : -1);
@@ -80,7 +80,7 @@ TEST_CASE(low_pass)
     for (size_t k = 0; k < NX * NY; k++) /* not periodic: what is left over its plane goes on as its mirror image */
         height[k] =
             cos(M_PI * ((double)(k % NX) + 0.5) / NX) + 0.1 * cos(M_PI * (NX - 1) * ((double)(k % NX) + 0.5) / NX);
-    struct direct_map_def def = {NX, NY, 2, 2, false, 0, false};
+    struct direct_map_def def = {NX, NY, 2, 2, false, 0, false, false};
     expect_ok(direct_map_condition, height, &def, false);
     assert_true(def.cutoff == 6 && !def.periodic);
     for (size_t k = 0; k < NX * NY; k++)
@@ -98,7 +98,7 @@ TEST_CASE(holes)
     struct direct_map map = map_of(height, N);
     assert_within(map.height_m[3 * N + 5], map.height_m[2 * N + 5], 0.01);
     direct_map_free(&map);
-    const struct direct_map_def def = {N, N, 1, 1, false, 6, false};
+    const struct direct_map_def def = {N, N, 1, 1, false, 6, false, false};
     for (size_t k = 0; k < N * N; k++) /* a step hidden in a hole: half way in the middle of it */
         height[k] = k % N < 12 ? 0 : k % N < 20 ? NAN : 1;
     expect_ok(direct_map_make, &map, height, &def, N);
@@ -111,13 +111,13 @@ TEST_CASE(refused_maps)
 {
     double height[16 * 16] = {0};
     struct direct_map map;
-    static const struct direct_map_def defs[] = {{16, 7, 1, 1, false, 0, false}, {16, 16, 1, 1.1, false, 0, false}};
+    static const struct direct_map_def defs[] = {{16, 7, 1, 1, false, 0, false, false}, {16, 16, 1, 1.1, false, 0, false, false}};
     for (size_t k = 0; k < 2; k++)
         expect_fails(STATUS_SCAN, "", direct_map_make, &map, height, &defs[k], 400);
     for (size_t k = 0; k < 129; k++)
         height[k] = NAN;
     expect_fails(STATUS_SCAN, "129", direct_map_make, &map, height,
-                 &(struct direct_map_def){16, 16, 1, 1, false, 0, false}, 400);
+                 &(struct direct_map_def){16, 16, 1, 1, false, 0, false, false}, 400);
 }
 
 enum { MIRROR_LOADS = 3 };
@@ -201,7 +201,7 @@ static void hold(struct held out[3], bool skewed, size_t n, double noisy, uint64
     solve_grid(truth, height, (struct direct_grid){N, N, 1, false, false}, gradient);
     for (size_t k = 0; k < n * n; k++)
         seen[k] = height[k / n * N + k % n] + tilt * (double)(k % n) + noisy * gradient * noise(k + 7919 * seed);
-    struct direct_map_def def = {n, n, 1, 1, false, 0, false};
+    struct direct_map_def def = {n, n, 1, 1, false, 0, false, false};
     struct direct_map map;
     struct direct_ensemble found;
     if (direct_map_condition(seen, &def, false, &status) != STATUS_OK ||

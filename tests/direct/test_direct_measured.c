@@ -47,7 +47,7 @@ static bool take(struct measured *out, const struct table *table, size_t row)
     step /= sqrt((double)(scan.nx * scan.ny));
     for (size_t k = 0; k < scan.nx * scan.ny; k++)
         scan.z_m[k] += (k % scan.nx + k / scan.nx) % 2 ? step / 4 : -step / 4;
-    struct direct_map_def def = {scan.nx, scan.ny, scan.dx_m, scan.dy_m, false, 0, false};
+    struct direct_map_def def = {scan.nx, scan.ny, scan.dx_m, scan.dy_m, false, 0, false, false};
     expect_ok(direct_map_condition, scan.z_m, &def, false);
     expect_ok(direct_map_make, &out->map, scan.z_m, &def, 400);
     scan_free(&scan);

@@ -19,7 +19,7 @@ static double *heights(size_t nx, size_t ny)
 static struct tiles tiles_of(size_t squares)
 {
     struct scan scan = {.kind = SCAN_AREAL, .nx = squares * SIDE, .ny = SIDE, .dx_m = 1e-6, .dy_m = 1e-6};
-    const struct direct_map_def def = {scan.nx, scan.ny, 1e-6, 1e-6, false, 6, false};
+    const struct direct_map_def def = {scan.nx, scan.ny, 1e-6, 1e-6, false, 6, false, false};
     struct tiles out = {.height_m = NULL};
     scan.z_m = heights(scan.nx, scan.ny);
     tiles_take(&out, &scan, &def);

@@ -44,7 +44,7 @@ static struct tiles cut(size_t nx, size_t ny, uint64_t seed, double (*look)(doub
     assert_non_null(scan.z_m);
     for (size_t k = 0; k < nx * ny; k++)
         scan.z_m[k] = 1e-6 * look(surface[k / nx * n + k % nx]);
-    const struct direct_map_def def = {nx, ny, 1e-6, 1e-6, false, 0, false};
+    const struct direct_map_def def = {nx, ny, 1e-6, 1e-6, false, 0, false, false};
     tiles_take(&tiles, &scan, &def);
     assert_null(scan.z_m);
     return tiles;
@@ -309,7 +309,7 @@ TEST_CASE(other_maps)
     double height[40 * 40] = {0};
     struct scan scan = {.nx = 40, .ny = 40, .dx_m = 1e-6, .dy_m = 1.02e-6, .z_m = height};
     struct tiles tiles = {.height_m = NULL};
-    const struct direct_map_def def = {40, 40, 1e-6, 1e-6, false, 0, false};
+    const struct direct_map_def def = {40, 40, 1e-6, 1e-6, false, 0, false, false};
     tiles_take(&tiles, &scan, &def);
     assert_true(scan.z_m && !tiles.height_m && tiles_cost(&tiles, false) == 0 && !tiles_fit(&tiles, false, INFINITY));
     scan.dy_m = 1e-6;

@@ -159,7 +159,7 @@ TEST_CASE(a_map_is_one_surface)
 {
     struct direct_plan plan;
     struct direct_plan_task task = a_task(&(struct scene_direct){.grid = 64, .seeds = 5});
-    task.map = (struct direct_map_def){101, 101, 3e-4 / 101, 3e-4 / 101, false, 6, false};
+    task.map = (struct direct_map_def){101, 101, 3e-4 / 101, 3e-4 / 101, false, 6, false, false};
     direct_plan_make(&plan, &task);
     assert_int_equal(plan.side, 100); /* transforms of 101 points are slow */
     assert_int_equal(plan.grid, 200);
@@ -169,7 +169,7 @@ TEST_CASE(a_map_is_one_surface)
     assert_near(plan.seconds, 0.020 * pow(200 / 256.0, 2.15) * (double)plan.loads * (1 + 6 * pow(2, -2.15)), 1e-12);
     assert_near(plan.lambda_s_m, 6 * task.map.dx_m, 1e-12);
     task.map =
-        (struct direct_map_def){100, 100, 3e-6, 3e-6, true, 0, false}; /* clean and whole: neither filter nor mirror */
+        (struct direct_map_def){100, 100, 3e-6, 3e-6, true, 0, false, false}; /* clean and whole: neither filter nor mirror */
     direct_plan_make(&plan, &task);
     assert_int_equal(plan.grid, 100);
     assert_near(plan.length_m, 3e-4, 1e-12);
