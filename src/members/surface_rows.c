@@ -228,14 +228,16 @@ static void note_map(const struct surface_scans *task, const char *file, const s
                      const struct direct_map_def *map, const struct areal_parameters of[2], size_t unusable, size_t run)
 {
     size_t used = scan->ny - unusable;
-    note_add(&task->record->summary.notes, file,
-             "note.map\n%s %.3g\n%s\nsq %.3g\nsq_left %.3g\nslope %.2g\nslope_left %.2g\nused %zu\n%s\n%s %zu",
-             map->cutoff > 0 ? "cut" : "whole", map->cutoff * map->dx_m * 1e6,
-             task->scene->lambda_s_m > 0 ? ""
-             : map->noisy                ? "noisy"
-                                         : "untold",
-             of[0].sq_m * 1e6, of[1].sq_m * 1e6, of[0].sdq, of[1].sdq, used,
+    struct note_list *notes = &task->record->summary.notes;
+    note_add(notes, file, "note.map\nused %zu\n%s\n%s %zu", used,
              task->scene->direction == SCAN_DIRECTION_X ? "" : "columns", run < used ? "run" : "all", run);
+    if (map->cutoff > 0)
+        note_add(notes, file, "note.cut\ncut %.3g\n%s\nsq %.3g\nsq_left %.3g\nslope %.2g\nslope_left %.2g",
+                 map->cutoff * map->dx_m * 1e6,
+                 task->scene->lambda_s_m > 0 ? ""
+                 : map->noisy                ? "noisy"
+                                             : "untold",
+                 of[0].sq_m * 1e6, of[1].sq_m * 1e6, of[0].sdq, of[1].sdq);
 }
 
 /** The first map of a surface gives its lay and the square for the direct study. */

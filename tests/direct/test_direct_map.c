@@ -111,7 +111,8 @@ TEST_CASE(refused_maps)
 {
     double height[16 * 16] = {0};
     struct direct_map map;
-    static const struct direct_map_def defs[] = {{16, 7, 1, 1, false, 0, false, false}, {16, 16, 1, 1.1, false, 0, false, false}};
+    static const struct direct_map_def defs[] = {{16, 7, 1, 1, false, 0, false, false},
+                                                 {16, 16, 1, 1.1, false, 0, false, false}};
     for (size_t k = 0; k < 2; k++)
         expect_fails(STATUS_SCAN, "", direct_map_make, &map, height, &defs[k], 400);
     for (size_t k = 0; k < 129; k++)

@@ -277,7 +277,7 @@ TEST_IN_DIRECTORY(parameters_of_the_surface)
                    "\n| w | 0.200 | 0.164 | 0.200 |", "\n| n | 0.165 | 0.135 | 0.201 |", "\n| line | 0.116 | ",
                    "*w*, over its plane (ISO 25178-2): Sq 0.200 µm, Sa 0.1",
                    "low-passed at 6 um (Sq 0.201 → 0.165 um, slope 0.11 → 0.091)");
-    expect_not_in_file(place, "maps/report.md", "*line*, over", "w.csv: a map, low-passed");
+    expect_not_in_file(place, "maps/report.md", "*line*, over", "w.csv: low-passed");
     struct table table = directory_table(place, "maps/data/surfaces.csv");
     assert_near(table_number(&table, 0, "sq_m"), 2e-7, 1e-6);
     assert_near(table_number(&table, 1, "sq_m"), hypot(0.2, 0.02) * 1e-6, 1e-6);
