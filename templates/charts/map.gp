@@ -16,7 +16,9 @@ set lmargin at screen 0.095; set rmargin at screen 0.40125
 set colorbox user origin screen 0.42, 0.247 size screen 0.016, 0.658 border
 set cbtics nomirror scale 0.6 offset -0.6,0 textcolor rgb ink
 set xrange [0:{{side}}]; set yrange [0:{{side}}]
-set xtics autofreq; set ytics autofreq
+# about four tics a side, of 1, 2 or 5 times a power of ten
+nice(s) = (power = 10**floor(log10(s)), s < 1.5*power ? power : s < 3.5*power ? 2*power : s < 7.5*power ? 5*power : 10*power)
+set xtics nice({{side}}/4.); set ytics nice({{side}}/4.)
 set format '%.3g'
 set xlabel '{{along}} ({{length_unit}})' offset 0,0.6
 set label '{{across}} ({{length_unit}})' at screen 0.02, graph 0.5 center rotate by 90
@@ -37,7 +39,7 @@ plot '{{name}}.csv' index 1 using 1:2:3 with image notitle
 
 {{> charts/style}}
 set lmargin at screen 0.60; set rmargin at screen 0.975
-set xtics nomirror autofreq; set ytics nomirror autofreq
+set xtics nomirror nice({{side}}/4.); set ytics nomirror autofreq
 set xrange [0:{{side}}]; set yrange [0:*]
 set xlabel '{{along}} along the dashed line ({{length_unit}})' offset 0,0.6
 set label 'pressure{{#has_material}} (MPa){{/has_material}}{{^has_material}} / E′{{/has_material}}' at screen 0.525, graph 0.5 center rotate by 90
