@@ -243,9 +243,11 @@ static void make_plan(struct plan *plan, uint64_t models, unsigned effects)
 
 void made_up_again(struct made_up *made)
 {
-    static const struct figures drawn = {
-        .figure = {{"answer", "", false}, {"one-surface", "6-05 to 6-09", false}, {"area", "6-11 to 6-14", false}},
-        .count = 3};
+    static const struct figures drawn = {.figure = {{"answer", "", false},
+                                                    {"one-surface", "6-05 to 6-09", false},
+                                                    {"area", "6-11 to 6-14", false},
+                                                    {"accuracy", "", false}},
+                                         .count = 4};
     comparison_free(&made->comparison);
     json_decref(made->view);
     expect_ok(comparison_make, &made->comparison, &made->results);

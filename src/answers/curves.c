@@ -197,15 +197,18 @@ static enum status_code solve_tiles(struct surface_record *record, struct plan *
     if (tiles_solve(tiles, hardness, threads, status) != STATUS_OK)
         return status->code;
     summary->has_tiles = tiles->transfer != NULL;
-    summary->tile_transforms = tiles->transforms;
-    summary->times.tiles = clock_seconds() - started;
+    const double seconds = clock_seconds() - started, share[2] = {1 - tiles->capped, tiles->capped};
+    for (int kind = 0; kind < 2; kind++) {
+        summary->tile_transforms[kind] = tiles->transforms[kind];
+        summary->times.tiles[kind] = seconds * share[kind];
+    }
     if (summary->has_tiles && tiles->def.cutoff > 0)
         note_add(&summary->notes, NULL, "note.low_pass");
     const size_t squares = tiles->columns * tiles->rows;
-    const double share = tiles_share(tiles);
-    if (summary->has_tiles && (squares > 1 || share < 0.9))
+    const double solved = tiles_share(tiles);
+    if (summary->has_tiles && (squares > 1 || solved < 0.9))
         note_add(&summary->notes, NULL, "note.squares\nsquares %zu\n%s\nside %zu\npercent %.2g", squares,
-                 squares == 1 ? "one" : "", tiles->side, 100 * share);
+                 squares == 1 ? "one" : "", tiles->side, 100 * solved);
     if (summary->has_tiles)
         return STATUS_OK;
     summary->tile_cost = 0; /* a larger budget would not help */

@@ -573,6 +573,7 @@ static bool uncertainty(struct claims *c)
                               : model_rows[c->leading]->uses_map ? "map"
                                                                  : "row";
     const struct estimate *known = results_estimate(c->results, surface, c->asked.quantity);
+    const bool low_pass = c->results->surfaces[surface].tiles.def.cutoff > 0;
     const double waves = pow(waves_sd(c, surface), 2);
     const double variance[] = {known->model_sd * known->model_sd - waves, known->s * known->s, waves},
                  all = variance[0] + variance[1] + waves;
@@ -580,7 +581,8 @@ static bool uncertainty(struct claims *c)
         put(c, names[n], variance[n] / all);
         if (variance[n] >= 0.03 * all)
             put_more(c, "parts",
-                     words_say(c->words, "cause.%s\npercent %.0f", n == 1 ? scans : names[n], 100 * variance[n] / all));
+                     words_say(c->words, "cause.%s\npercent %.0f\n%s", n == 1 ? scans : names[n],
+                               100 * variance[n] / all, low_pass ? "low_pass" : "none"));
     }
     put(c, "factor", c->weight = factor.most);
     put_surface(c, surface);

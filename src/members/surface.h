@@ -24,7 +24,8 @@ struct direct_plan; /* plan/direct_plan.h */
 
 /** Time by stage [s]. */
 struct surface_times {
-    double read, prepare, spectrum, convergence, uncertainty, strips, tiles;
+    double read, prepare, spectrum, convergence, uncertainty, strips;
+    double tiles[2]; /* elastic and with the hardness; what both need is shared out alike */
 };
 
 /** Which hardness the models use. */
@@ -53,7 +54,7 @@ struct surface_summary {
     bool has_strips;                /* strips are, or will be, solved */
     size_t strip_unsolved[2];       /* left out: loads that did not converge; scans without a solution */
     double tile_cost;               /* tiles_cost() of its map; 0: no map, or no model uses it */
-    uint64_t tile_transforms;       /* actual cost of its map */
+    uint64_t tile_transforms[2];    /* actual cost of its map, elastic and with the hardness */
     bool has_tiles;                 /* its map is, or will be, solved */
     size_t points;                  /* of the longest scan */
     double spacing_m, length_m;

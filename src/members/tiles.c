@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "members/tiles.h"
+#include "base/clock.h"
 #include "base/costs.h"
 
 #include "direct/direct_quantities.h"
@@ -197,15 +198,20 @@ struct ladder {
     const atomic_bool *stop;
 };
 
+/** On the solutions of one kind, by all threads: neither kind uses what the other found. */
+struct spent {
+    atomic_uint_fast64_t transforms, nanoseconds; /* of CPU: a thread's own, however many share a processor */
+};
+
 static enum status_code solve_load(struct transfer_point *out, struct direct_contact *contact, double load,
-                                   const struct ladder *ladder, atomic_uint_fast64_t *transforms, struct status *status)
+                                   const struct ladder *ladder, struct spent *spent, struct status *status)
 {
     const struct direct_ladder_def def = {&load, 1, ladder->hardness, tolerance, true, ladder->stop, true};
     struct direct_point found;
     *out = (struct transfer_point){load, NAN, NAN, NAN};
     if (direct_ladder_run(&found, contact, &def, status) != STATUS_OK)
         return status->code;
-    *transforms += found.convolutions * contact->kernel.points;
+    spent->transforms += found.convolutions * contact->kernel.points;
     if (found.quantities.contact_points >= LEAST_POINTS)
         *out = (struct transfer_point){load, found.quantities.area_ratio, found.quantities.gap_m, found.constriction_m};
     return STATUS_OK;
@@ -228,11 +234,11 @@ static size_t coarsest(const struct transfer_point *point, size_t loads, double 
     return at;
 }
 
-/** Solves a map at the loads of the ladder, and at some more between them if `refine`; useless solutions become NaN.
- * Counts transforms. */
+/** Solves a map at the loads of the ladder, and at some more between them if `refine`; useless solutions become NaN. */
 static enum status_code solve(struct transfer_point *out, const struct direct_map *map, struct ladder *ladder,
-                              bool refine, atomic_uint_fast64_t *transforms, struct status *status)
+                              bool refine, struct spent *spent, struct status *status)
 {
+    const double started = clock_own_seconds();
     OWNED(direct_contact_free) struct direct_contact contact = {.set = NULL};
     size_t at;
     for (size_t i = 0; i < ladder->loads; i++)
@@ -240,7 +246,7 @@ static enum status_code solve(struct transfer_point *out, const struct direct_ma
     if (direct_contact_make(&contact, map->height_m, &map->grid, status) != STATUS_OK)
         return status->code;
     for (size_t i = 0; i < ladder->loads && status->code == STATUS_OK; i++)
-        if (solve_load(&out[i], &contact, ladder->load[i], ladder, transforms, status) != STATUS_OK ||
+        if (solve_load(&out[i], &contact, ladder->load[i], ladder, spent, status) != STATUS_OK ||
             out[i].area_ratio > enough)
             break;
     while (refine && status->code == STATUS_OK && ladder->loads < TRANSFER_LOADS &&
@@ -249,8 +255,9 @@ static enum status_code solve(struct transfer_point *out, const struct direct_ma
         memmove(out + at + 1, out + at, (ladder->loads - at) * sizeof *out);
         memmove(ladder->load + at + 1, ladder->load + at, (ladder->loads++ - at) * sizeof *ladder->load);
         ladder->load[at] = load;
-        (void)solve_load(&out[at], &contact, load, ladder, transforms, status);
+        (void)solve_load(&out[at], &contact, load, ladder, spent, status);
     }
+    spent->nanoseconds += (uint64_t)(1e9 * (clock_own_seconds() - started));
     return status->code;
 }
 
@@ -281,7 +288,7 @@ struct work {
     struct transfer_square *square;
     struct ladder ladder[KINDS]; /* complete once the first square is solved */
     struct transfer_point part[KINDS][DIRECT_MAP_PARTS][TRANSFER_LOADS];
-    atomic_uint_fast64_t transforms;
+    struct spent spent[KINDS];
 };
 
 /** The loads at which errors are found: not the ends of a ladder, where hardly anything or everything touches. */
@@ -361,7 +368,7 @@ static enum status_code solve_square(struct work *work, int kind, size_t s, stru
     OWNED(direct_map_free) struct direct_map map = {.height_m = NULL};
     if (make_square(&map, work->tiles, s, status) == STATUS_OK &&
         (kind > 0 || describe(&work->square[s], &map, status) == STATUS_OK))
-        (void)solve(work->square[s].point[kind], &map, &work->ladder[kind], false, &work->transforms, status);
+        (void)solve(work->square[s].point[kind], &map, &work->ladder[kind], false, &work->spent[kind], status);
     return status->code;
 }
 
@@ -374,7 +381,7 @@ static enum status_code solve_part(struct work *work, int kind, enum direct_map_
     if (p >= DIRECT_MAP_QUARTER ? !quartered(work) : !direct_map_has(&work->first, p))
         return STATUS_OK;
     if (direct_map_take(&map, &work->first, p, status) == STATUS_OK)
-        (void)solve(work->part[kind][p], &map, &ladder, false, &work->transforms, status);
+        (void)solve(work->part[kind][p], &map, &ladder, false, &work->spent[kind], status);
     return status->code;
 }
 
@@ -384,7 +391,7 @@ static enum status_code solve_first(void *context, size_t index, struct threads_
     struct work *work = context;
     const size_t kind = work->kinds - 1 - index;
     (void)turn;
-    return solve(work->square[0].point[kind], &work->first, &work->ladder[kind], true, &work->transforms, status);
+    return solve(work->square[0].point[kind], &work->first, &work->ladder[kind], true, &work->spent[kind], status);
 }
 
 /** How many others there are of each kind: the other squares, then the parts of the first. */
@@ -446,7 +453,10 @@ static enum status_code run(struct tiles *tiles, double hardness, const struct t
         spectrum_free(&work.square[s].spectrum);
     direct_map_free(&work.first);
     free(work.square);
-    tiles->transforms = work.transforms;
+    for (int kind = 0; kind < KINDS; kind++)
+        tiles->transforms[kind] = work.spent[kind].transforms;
+    const double capped = (double)work.spent[1].nanoseconds;
+    tiles->capped = capped > 0 ? capped / (capped + (double)work.spent[0].nanoseconds) : 0;
     return rc;
 }
 

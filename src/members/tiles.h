@@ -17,7 +17,8 @@ struct tiles {
     size_t side, columns, rows; /* of a square, in points; squares that are solved, across and down */
     struct transfer *transfer;  /* NULL: not solved */
     struct status problem;      /* why not */
-    uint64_t transforms;        /* cost of solving: pairs of transforms times points */
+    uint64_t transforms[2];     /* cost of solving, elastic and with the hardness: pairs of transforms times points */
+    double capped;              /* share of the solutions' time that those with the hardness took */
 };
 void tiles_free(struct tiles *tiles);
 

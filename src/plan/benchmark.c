@@ -1,22 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "plan/benchmark.h"
 
+#include "base/clock.h"
 #include <math.h>
 #include <stdlib.h>
-#include <time.h>
 
 enum {
     HARMONICS_MOST = 100000, /* enough to show the cost of a longer scan too */
     LOADS_MOST = 400         /* of more only every second, third, ... */
 };
-
-/** CPU time of this thread [s]. */
-static double own_seconds(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
 
 /** Times a model's curve: the least of several runs if they are short. */
 static enum status_code time_model(struct benchmark_row *row, struct contact_point *points,
@@ -28,10 +20,10 @@ static enum status_code time_model(struct benchmark_row *row, struct contact_poi
     row->seconds = INFINITY;
     for (int run = 0; run < RUNS_MOST && total < enough_seconds; run++) {
         struct model_curve curve = {.points = points};
-        const double started = own_seconds();
+        const double started = clock_own_seconds();
         if (model_run(&curve, model_rows[row->model], task, status) != STATUS_OK)
             return status->code;
-        const double passed = own_seconds() - started;
+        const double passed = clock_own_seconds() - started;
         row->seconds = fmin(row->seconds, passed);
         row->evaluations = curve.evaluations;
         total += passed;

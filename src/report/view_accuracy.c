@@ -26,18 +26,21 @@ static void put_models(json_t *out, const struct view_source *source)
     double finest = 0, coarsest = 0;
     for (size_t m = 0; m < model_count; m++) {
         const struct accuracy accuracy = accuracy_of(source->results, m, quantity);
-        if (!(accuracy.sd > 0))
+        if (accuracy.sd == 0)
             continue;
         json_t *row = view_item(rows);
+        if (isnan(accuracy.sd)) /* it took its time even so */
+            view_flag(out, "unknown", true);
+        else if (model_rows[m]->uses_map)
+            view_flag(out, "map", true);
         view_text(row, "label", model_rows[m]->label);
         json_set(row, "factor", model_factor(accuracy.sd));
         json_set(row, "here", accuracy.here);
-        if (model_rows[m]->uses_map)
-            view_flag(out, "map", true);
         put_seconds(row, "time", accuracy.seconds[accuracy.used]);
         coarsest += accuracy.seconds[0];
         finest += accuracy.seconds[BENCHMARK_STEPS - 1];
     }
+    view_flag(out, "low_pass", source->results->surfaces[source->results->baseline].tiles.def.cutoff > 0);
     view_flag(out, "solved_here", results_direct_baseline(source->results) != NULL);
     const double few_waves = accuracy_few_waves_sd(source->results, source->results->baseline);
     if (few_waves > log(1.05))

@@ -30,6 +30,8 @@ static void set_error(struct accuracy *out, const struct results *results, size_
         out->sd = hypot(out->sd, accuracy_few_waves_sd(results, results->baseline));
     else if (model_rows[m]->uses_map)
         out->sd = curve_summary_estimate(surface_model(summary, m), (int)held)->half_width / log(model_factor(1));
+    if (!(out->sd > 0))
+        out->sd = NAN;
 }
 
 struct accuracy accuracy_of(const struct results *results, size_t model, enum quantity quantity)
@@ -43,7 +45,7 @@ struct accuracy accuracy_of(const struct results *results, size_t model, enum qu
     if (!cost || first == cost->count)
         return out;
     const double solved = (model_rows[model]->uses_strip ? summary->times.strips : 0) +
-                          (model_rows[model]->uses_map ? summary->times.tiles : 0);
+                          (model_rows[model]->uses_map ? summary->times.tiles[model_rows[model]->plastic] : 0);
     set_error(&out, results, model, quantity);
     for (size_t i = 0; i < BENCHMARK_STEPS; i++) {
         const struct benchmark_row *row = &cost->rows[first + i];

@@ -7,8 +7,8 @@
 
 /** Of a quantity of a model on the baseline. */
 struct accuracy {
-    double sd;                           /* of ln the quantity: model_sd() and too few waves; of a map its grid's; not
-                                            above 0: the model does not run, nothing was timed, or no error is known */
+    double sd;                           /* of ln the quantity: model_sd() and too few waves; of a map its grid's; NaN:
+                                            not known; 0: the model does not run, or nothing was timed */
     double here;                         /* the factor it is off by from the direct solution of this very surface, the
                                             largest of all loads solved; NaN: not solved */
     double seconds[BENCHMARK_STEPS];     /* at each tolerance, what is solved for the model's ratios included */

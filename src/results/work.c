@@ -9,7 +9,7 @@
 #include "results/results.h"
 #include <math.h>
 
-/** What a surface's models took, by material law. */
+/** What a surface's models and the squares of its map took, by material law. */
 static void add_models(struct work_row *elastic, struct work_row *plastic, const struct surface_summary *summary)
 {
     for (size_t m = 0; m < model_count; m++) {
@@ -17,6 +17,11 @@ static void add_models(struct work_row *elastic, struct work_row *plastic, const
         struct work_row *row = model_rows[m]->plastic ? plastic : elastic;
         row->evaluations += model->evaluations;
         row->seconds += model->seconds;
+    }
+    for (int kind = 0; kind < 2; kind++) {
+        struct work_row *row = kind ? plastic : elastic;
+        row->evaluations += summary->tile_transforms[kind];
+        row->seconds += summary->times.tiles[kind];
     }
 }
 
@@ -50,8 +55,8 @@ void work_account(struct work_row rows[WORK_ROWS], const struct results *results
     for (size_t i = 0; i < results->surface_count; i++) {
         const struct surface_summary *summary = &results->surfaces[i].summary;
         add_models(&rows[0], &rows[1 + EFFECT_PLASTICITY], summary);
-        rows[0].evaluations += summary->strip_transforms + summary->tile_transforms;
-        rows[0].seconds += summary->times.strips + summary->times.tiles;
+        rows[0].evaluations += summary->strip_transforms;
+        rows[0].seconds += summary->times.strips;
         convergence->seconds += summary->times.convergence;
         uncertainty->evaluations += summary->simulated_evaluations;
         uncertainty->seconds += summary->times.uncertainty;

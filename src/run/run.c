@@ -70,7 +70,7 @@ static void add_times(struct run_times *times, const struct results *results)
         times->prepare += summary->times.prepare;
         times->spectrum += summary->times.spectrum;
         times->strips += summary->times.strips;
-        times->tiles += summary->times.tiles;
+        times->tiles += summary->times.tiles[0] + summary->times.tiles[1];
         times->convergence += summary->times.convergence;
         times->uncertainty += summary->times.uncertainty;
         for (size_t m = 0; m < model_count; m++)

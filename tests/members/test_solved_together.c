@@ -30,16 +30,22 @@ static struct tiles tiles_of(size_t squares)
 TEST_CASE(maps)
 {
     static const double hardness[] = {INFINITY, 0.1};
+    uint64_t alone = 0; /* elastic */
     for (size_t squares = 1; squares <= 2; squares++)
         for (int capped = 0; capped < 2; capped++) {
             struct tiles one = tiles_of(squares), many = tiles_of(squares);
             expect_ok(tiles_solve, &one, hardness[capped], &test_alone);
             expect_ok(tiles_solve, &many, hardness[capped], &((struct threads){2 + (unsigned)squares, NULL}));
-            assert_true(one.transfer && many.transfer && one.transforms == many.transforms);
+            assert_true(one.transfer && many.transfer && one.transforms[0] > 0);
+            assert_memory_equal(one.transforms, many.transforms, sizeof one.transforms);
             assert_memory_equal(one.transfer->curve, many.transfer->curve, sizeof one.transfer->curve);
             assert_memory_equal(one.transfer->error, many.transfer->error, sizeof one.transfer->error);
             for (int kind = 0; kind < 2; kind++)
                 assert_true((one.transfer->error[kind].count > 0) == (kind <= capped));
+            assert_true(capped ? one.capped > 0.05 && one.capped < 0.95 : one.capped == 0); /* half of the work */
+            assert_true(capped ? many.capped > 0.05 && many.capped < 0.95 : many.capped == 0);
+            alone = capped ? alone : one.transforms[0];
+            assert_true(one.transforms[0] <= alone); /* beyond the hardness it has fewer loads */
             tiles_free(&one);
             tiles_free(&many);
         }

@@ -291,7 +291,7 @@ TEST_CASE(squares_of_a_larger_map)
     tiles.columns = 4;
     expect_ok(tiles_solve, &tiles, INFINITY, &test_alone);
     double likely = all / longer;
-    assert_true((double)tiles.transforms > likely / 1.3 && (double)tiles.transforms < 1.3 * likely);
+    assert_true((double)tiles.transforms[0] > likely / 1.3 && (double)tiles.transforms[0] < 1.3 * likely);
     assert_true(tiles.transfer->curve[0].count > 0 && tiles.transfer->curve[1].count == 0);
     struct tiles one = map_of(SIDE, SIDE, 9, worn); /* a corner of it alone says less of it */
     expect_ok(tiles_solve, &one, INFINITY, &test_alone);

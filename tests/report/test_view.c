@@ -411,6 +411,25 @@ TEST_OF_PLAIN(digits_that_cost_nothing)
     report_says("Solving every curve to 1e-13 instead of 1e-2 takes ");
 }
 
+/* A model whose error is not known took its time even so; one that is known is of what made it. */
+TEST_OF_PLAIN(the_error_of_a_map)
+{
+    report_says("![Error versus time of models on beta, ");
+    for (size_t i = 0; i < BENCHMARK_STEPS; i++)
+        made.benchmark.rows[i].model = model_named("direct");
+    report_says("| direct solution of the map | – | 0.0010\u00a0ms |\n",
+                "![Error versus time of models whose error is known, on beta, ");
+    report_lacks("that of the map's direct solution", "| ×÷  |");
+    struct estimate all[CURVE_ESTIMATES] = {[QUANTITY_ECR] = estimate_of_error(1e-9, 0.2, 3)};
+    struct curve_summary **solved = &made_up_surface(&made, made.results.baseline)->models[model_named("direct")];
+    assert_non_null(*solved = calloc(1, sizeof **solved));
+    expect_ok(curve_summary_put_estimates, *solved, all);
+    report_says("; that of the map's direct solution is from its size and grid.",
+                "Error versus time of models on beta, ");
+    made.surfaces[made.results.baseline].tiles.def.cutoff = 6;
+    report_says("; that of the map's direct solution is from its size, grid and low-pass.");
+}
+
 /* Two of three surfaces lack a law of a decade: one has none, one a narrow band. */
 TEST_OF_WHOLE(what_no_spectrum_tells_is_not_said)
 {

@@ -4,6 +4,7 @@
 
 #include "directory.h"
 #include "made_up_results.h"
+#include "results/work.h"
 
 /* The table of errors is what docs/validation.md prints of other heights, from five scans, elastic models of elastic
  * contact and others of metal that yields; that of strips, on real maps, is no smaller. */
@@ -66,8 +67,25 @@ TEST_CASE(what_accuracy_costs)
     assert_non_null(*solved = calloc(1, sizeof **solved));
     expect_ok(curve_summary_put_estimates, *solved, all);
     made.benchmark.rows[0].model = map;
+    assert_true(isnan(accuracy_of(&made.results, map, QUANTITY_AREA).sd)); /* of which there is none */
     assert_near(model_factor(accuracy_of(&made.results, map, QUANTITY_ECR).sd),
                 sqrt(estimate_end(ecr, 1) / estimate_end(ecr, 0)), 1e-12);
+    struct surface_summary *summary = made_up_surface(&made, made.results.baseline);
+    struct work_row before[WORK_ROWS], after[WORK_ROWS];
+    work_account(before, &made.results);
+    for (int kind = 0; kind < 2; kind++) { /* each of its two models took its own squares */
+        summary->times.tiles[kind] = 2 + kind;
+        summary->tile_transforms[kind] = 20 + (uint64_t)kind;
+        made.benchmark.rows[0].model = model_named(kind ? "direct-plastic" : "direct");
+        const struct accuracy own = accuracy_of(&made.results, made.benchmark.rows[0].model, QUANTITY_ECR);
+        assert_near(own.seconds[0], 2 + kind + made.benchmark.rows[0].seconds, 1e-12);
+    }
+    work_account(after, &made.results);
+    for (int r = 0; r < WORK_ROWS; r++) {
+        const int kind = r == 0 ? 0 : r == 1 + EFFECT_PLASTICITY ? 1 : -2;
+        assert_near(after[r].seconds - before[r].seconds, 2 + kind, 1e-12);
+        assert_int_equal(after[r].evaluations - before[r].evaluations, kind < 0 ? 0 : 20 + kind);
+    }
     made.results.benchmark = NULL;
     assert_near(accuracy_of(&made.results, gw, QUANTITY_ECR).sd, 0, 0);
     made.results.benchmark = &made.benchmark;

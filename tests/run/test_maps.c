@@ -85,6 +85,22 @@ TEST_IN_DIRECTORY(what_leads)
     assert_true(found[0] == 1 && found[1] == 0);
 }
 
+/** The time of a map's squares is shared out between area and plasticity, as each took it. */
+TEST_IN_DIRECTORY(squares_are_charged_to_their_effect)
+{
+    struct status status = {0};
+    write_map(place, "in/a.csv", 1, 1);
+    directory_write(place, "in/scene.yaml", MATERIAL "models: [direct, direct-plastic]\nsurfaces: [" MAP("a") "]\n");
+    const struct run_outcome *outcome = pipeline_into(place, "in", "out", (struct run_options){.jobs = 2}, &status);
+    double seconds[2], all = outcome->times.tiles;
+    for (int kind = 0; kind < 2; kind++) {
+        const char *row = strstr(text_string(&outcome->work), kind ? "\nplasticity " : "\narea ");
+        assert_int_equal(row ? sscanf(row, "%*s run %*u %lf", &seconds[kind]) : 0, 1);
+        assert_true(seconds[kind] > 0.05 * all);
+    }
+    assert_true(seconds[0] + seconds[1] > 0.99 * all - 1e-4);
+}
+
 /** Two maps of one spacing are pressed together directly; with different spacings, or a line scan, their rows are used.
  * The leading model has an interval, in the last two cases from a row's simulated records and quarters. */
 TEST_IN_DIRECTORY(two_rough_bodies)
@@ -341,7 +357,8 @@ TEST_IN_DIRECTORY(pictures_and_spots)
  * without noise is not low-passed. */
 TEST_IN_DIRECTORY(as_measured)
 {
-    static const char *const said[2] = {"low-passed at 6 um", "the map is solved after its low-pass; with "};
+    static const char *const said[] = {"low-passed at 6 um", "the map is solved after its low-pass; with ",
+                                       "% from the map's size, grid and low-pass."};
     char *curves[2];
     for (int noisy = 0; noisy < 2; noisy++) {
         double area[2];
@@ -353,8 +370,10 @@ TEST_IN_DIRECTORY(as_measured)
             curves[given] = directory_read(place, "out/data/contact.csv");
             struct table contact = directory_table(place, "out/data/contact.csv");
             area[given] = table_number(&contact, pipeline_row(&contact, NULL, "direct", NAN), "area_ratio");
-            for (int k = 0; k < 2; k++)
-                assert_int_equal(strstr(directory_read(place, "out/report.md"), said[k]) != NULL, noisy && !given);
+            const char *report = directory_read(place, "out/report.md");
+            for (size_t k = 0; k < sizeof said / sizeof *said; k++)
+                assert_int_equal(strstr(report, said[k]) != NULL, noisy && !given);
+            assert_int_equal(times(report, "size and grid."), noisy && !given ? 0 : 1);
         }
         if (noisy)
             assert_true(area[1] < 0.7 * area[0]);
