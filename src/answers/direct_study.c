@@ -46,6 +46,7 @@ enum status_code direct_study_plan(struct surface_record *record, const struct s
         .loads = asked->loads,
         .load_count = asked->load_count,
         .map = surface->map,
+        .height_m = record->direct_m,
         .length_m = surface->length_m / kappa,
         .spectrum = &record->spectrum,
         .lambda_s_m = fmin(scene->lambda_s_m > 0      ? scene->lambda_s_m

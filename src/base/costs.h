@@ -7,7 +7,7 @@
 
 static const struct {
     double report_s, surface_s, profile_point_s, map_point_s, load_s, shape_s, transform_s, map_transforms_elastic,
-        map_transforms, map_power, record_s, record_point_s, direct_s, direct_power;
+        map_transforms, map_power, record_s, record_point_s, direct_s, direct_power, direct_map_point_s;
 } costs = {
     .report_s = 0.25,           /* a scan of 1000 points, gnuplot's too */
     .surface_s = 1e-3,          /* 100 surfaces of 1000 points less one, without strips */
@@ -26,6 +26,7 @@ static const struct {
     .record_point_s = 0.25e-6,
     .direct_s = 0.020,    /* a load of 256 x 256 points solved: 0.009 to 0.022 on three surfaces, 64 ... 1024 a side */
     .direct_power = 2.15, /* how it grows with the points a side */
+    .direct_map_point_s = 0.45e-6, /* a point of a map at a load: 0.3e-6 to 0.65e-6 on 15 maps, 80 ... 400 a side */
 };
 
 #endif

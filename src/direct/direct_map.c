@@ -223,10 +223,7 @@ static enum status_code take_square(struct direct_map *map, const double *from, 
         missing[k] = !isfinite(height[k]);
         holes += missing[k];
     }
-    if ((double)holes > DIRECT_MAP_HOLES * (double)(n * n))
-        (void)status_fail(status, STATUS_SCAN,
-                          "%zu of the map's %zu points are missing; fill them or take another part", holes, n * n);
-    else if (holes == 0 || fill(height, missing, n, map->cutoff, status) == STATUS_OK)
+    if (holes == 0 || fill(height, missing, n, map->cutoff, status) == STATUS_OK)
         take_plane(height, n, !map->grid.mirrored);
     return status->code;
 }
@@ -236,19 +233,40 @@ bool direct_map_mirrored(const struct direct_map_def *def, size_t most)
     return !def->periodic || def->nx != def->ny || def->nx > most || def->nx % 2 != 0;
 }
 
-enum status_code direct_map_make(struct direct_map *out, const double *height_m, const struct direct_map_def *def,
-                                 size_t most, struct status *status)
+/** Points a side of the square. */
+static size_t side_of(const struct direct_map_def *def, size_t most)
 {
-    size_t n = def->nx < def->ny ? def->nx : def->ny;
-    n = n < most ? n : most;
-    *out = (struct direct_map){.grid = {n, n, def->dx_m, direct_map_mirrored(def, most), def->single},
-                               .cutoff = def->cutoff};
+    const size_t side = def->nx < def->ny ? def->nx : def->ny;
+    return side < most ? side : most;
+}
+
+enum status_code direct_map_check(const double *height_m, const struct direct_map_def *def, size_t most,
+                                  struct status *status)
+{
+    const size_t n = side_of(def, most);
+    size_t holes = 0;
     if (n < LEAST)
         return status_fail(status, STATUS_SCAN, "a square of %zu points a side is too small; %d are needed", n, LEAST);
     if (!(def->dx_m > 0) || !(fabs(def->dy_m / def->dx_m - 1) <= 0.01))
         return status_fail(status, STATUS_SCAN,
                            "spacings of %g m along and %g m across the rows are not the same; resample the map",
                            def->dx_m, def->dy_m);
+    for (size_t k = 0; k < n * n; k++)
+        holes += isfinite(height_m[k / n * def->nx + k % n]) ? 0 : 1;
+    if ((double)holes > DIRECT_MAP_HOLES * (double)(n * n))
+        return status_fail(status, STATUS_SCAN,
+                           "%zu of the map's %zu points are missing; fill them or take another part", holes, n * n);
+    return STATUS_OK;
+}
+
+enum status_code direct_map_make(struct direct_map *out, const double *height_m, const struct direct_map_def *def,
+                                 size_t most, struct status *status)
+{
+    const size_t n = side_of(def, most);
+    *out = (struct direct_map){.grid = {n, n, def->dx_m, direct_map_mirrored(def, most), def->single},
+                               .cutoff = def->cutoff};
+    if (direct_map_check(height_m, def, most, status) != STATUS_OK)
+        return status->code;
     out->height_m = malloc(n * n * sizeof *out->height_m);
     if (!out->height_m)
         return status_memory(status);

@@ -49,11 +49,14 @@ struct direct_map {
     double cutoff; /* as in the definition */
 };
 
-/** Of a conditioned map the square of at most `most` points at the first corner. Missing points take the height of the
- * nearest one (of several the first in reading order), smoothed like the map. A whole periodic map only loses its mean;
- * any other square loses its least-squares plane and is mirrored, so that it continues without a step. Errors:
- * STATUS_SCAN: fewer than 8 points a side, spacings that differ by more than 1 %, more than half of the points missing;
- * STATUS_MEMORY. */
+/** Of a conditioned map the square of at most `most` points at the first corner: can it be solved? Error: STATUS_SCAN:
+ * fewer than 8 points a side, spacings that differ by more than 1 %, more than half of the points missing. */
+MUST_CHECK enum status_code direct_map_check(const double *height_m, const struct direct_map_def *def, size_t most,
+                                             struct status *status);
+
+/** Makes that square. Missing points take the height of the nearest one (of several the first in reading order),
+ * smoothed like the map. A whole periodic map only loses its mean; any other square loses its least-squares plane and
+ * is mirrored, so that it continues without a step. Errors: those of direct_map_check(), STATUS_MEMORY. */
 MUST_CHECK enum status_code direct_map_make(struct direct_map *out, const double *height_m,
                                             const struct direct_map_def *def, size_t most, struct status *status);
 void direct_map_free(struct direct_map *map);

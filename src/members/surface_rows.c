@@ -69,10 +69,12 @@ static enum status_code keep_direct(struct surface_record *record, const struct 
     return STATUS_OK;
 }
 
-/** Are heights kept for the direct study? Only those of the first map; none of two rough bodies. */
+/** Are heights kept for the direct study? Only those of the first map, also for a mere plan, which says whether it can
+ * be solved; none of two rough bodies. */
 static bool keeps_direct(const struct surface_record *record, const struct scene *scene)
 {
-    return scene->direct.called && scene->counterface_surface.files.count == 0 &&
+    const bool planned = record->summary.map.nx > 0 && record->variants.left_out;
+    return (scene->direct.called || planned) && scene->counterface_surface.files.count == 0 &&
            (record->summary.map.nx == 0 || record->direct_count == 0);
 }
 

@@ -81,18 +81,27 @@ static void choose_loads(struct direct_plan *plan, const struct direct_plan_task
         plan->capped_loads++;
 }
 
+/** Expected time of a map on one core, whose mirror images cost nothing; the parts that give its error have a quarter
+ * of its points. */
+static double likely_seconds_of_map(const struct direct_plan *plan)
+{
+    const double parts = (plan->mirrored ? 5 : 1) + (plan->lambda_s_m > 0);
+    return costs.direct_map_point_s * (double)(plan->side * plan->side) * (1 + parts / 4) *
+           (double)(plan->loads + plan->capped_loads);
+}
+
 /** Expected time on one core, from counts. Surfaces with a scan's heights must be made first; the finer grid has twice
- * the points a side, and the parts of a map, which give its error, half of them. */
+ * the points a side. */
 static double likely_seconds(const struct direct_plan *plan)
 {
+    if (plan->side > 0)
+        return likely_seconds_of_map(plan);
     const double power = costs.direct_power, one = costs.direct_s * pow((double)plan->grid / 256, power);
-    double making = plan->side > 0 || plan->gaussian ? 0 : direct_ensemble_making, fine = plan->fine_times > 0;
-    double parts = plan->side > 0 ? (plan->mirrored ? 5 : 1) + (plan->lambda_s_m > 0) : 0;
-    double other = fine * pow(2, power) + parts * pow(2, -power), sum = 0;
+    double making = plan->gaussian ? 0 : direct_ensemble_making, fine = plan->fine_times > 0, sum = 0;
     for (int capped = 0; capped < 2; capped++) {
         double loads = (double)(capped ? plan->capped_loads : plan->loads);
         double surfaces = (double)(capped ? plan->fewer : plan->seeds);
-        sum += loads > 0 ? loads * (surfaces + other) + making * (surfaces + fine) : 0;
+        sum += loads > 0 ? loads * (surfaces + fine * pow(2, power)) + making * (surfaces + fine) : 0;
     }
     return one * sum;
 }
@@ -174,7 +183,8 @@ void direct_plan_make(struct direct_plan *out, const struct direct_plan_task *ta
     *out = (struct direct_plan){.possible = true};
     choose(out, task);
     moments(known, task->spectrum, out->lambda_s_m, out->coarse);
-    if (out->loads == 0 ||
+    if ((out->side > 0 && direct_map_check(task->height_m, &task->map, out->side, &problem) != STATUS_OK) ||
+        out->loads == 0 ||
         (out->side == 0 && direct_law_match(&out->law, known, out->length_m, out->lambda_s_m, &problem) != STATUS_OK))
         direct_plan_give_up(out, problem.message);
 }

@@ -18,6 +18,7 @@ struct direct_plan_task {
     const double *loads; /* P/(A_n E') of the scene, ascending */
     size_t load_count;
     struct direct_map_def map;       /* the square of a map; nx 0: a profile */
+    const double *height_m;          /* of its rows */
     double length_m;                 /* of a profile */
     double lambda_s_m;               /* shortest wavelength to be trusted */
     bool of_spacing;                 /* that is four spacings, as no cut-off is known */

@@ -247,11 +247,14 @@ static void put_study(json_t *item, const struct view_source *source, const stru
     json_t *rows = view_list(item, "rows");
     view_text(item, "surface", view_name(source, study->surface));
     view_flag(item, "map", study->plan.side > 0);
-    json_set_count(item, "grid", study->plan.grid);
+    /* of a mirrored map what is measured, not its images */
+    const size_t times = study->plan.mirrored ? 2 : 1;
+    json_set_count(item, "grid", study->plan.grid / times);
     view_counted(item, "seeds", study->curves[DIRECT_STUDY_ELASTIC].seeds, NULL);
     view_flag(item, "gaussian", study->plan.gaussian);
     view_flag(item, "at_this_resolution", study->plan.side > 0 || study->plan.of_spacing || study->plan.coarse);
-    json_set(item, "cell_m", study->plan.length_m);
+    json_set(item, "cell_m", study->plan.length_m / (double)times);
+    view_flag(item, "mirrored", study->plan.mirrored);
     for (size_t m = 0; m < model_count; m++) {
         if (!study->models[m].exists)
             continue;
@@ -270,7 +273,7 @@ static void put_study(json_t *item, const struct view_source *source, const stru
     for (size_t i = 0; i < study->plan.loads; i++)
         resolved = resolved || isfinite(direct_study_value(study, pair, DIRECT_STUDY_ELASTIC, QUANTITY_AREA, i, NULL));
     view_flag(item, "unresolved", !resolved);
-    json_set_count(item, "least_points", DIRECT_ENSEMBLE_POINTS);
+    json_set_count(item, "least_points", DIRECT_ENSEMBLE_POINTS / (times * times));
     size_t nearest = direct_study_nearest(
         study, pair, results_criterion(source->results) == QUANTITY_ECR ? QUANTITY_ECR : QUANTITY_AREA);
     if (nearest < model_count)
@@ -283,7 +286,7 @@ void view_direct(json_t *out, const struct view_source *source)
     for (size_t i = 0; i < results->surface_count; i++)
         if (results_measured(results, i) && json_array_size(view_list(out, "measured_models")) < VIEW_ROWS)
             put_measured_models(view_item(view_list(out, "measured_models")), source, i);
-    if (!plan_runs(results->plan, EFFECT_DIRECT))
+    if (!results->scene->direct.called) /* else it also says why none was made */
         return;
     json_t *item = view_part(out, "direct");
     for (enum quantity q = 0; q < QUANTITY_COUNT; q++)

@@ -39,10 +39,10 @@ static const char *say_direct(const struct plan *plan, const struct results *res
                          : words_say(plan->words, "direct.surfaces\nseeds %zu\n%s\n%s", first->seeds,
                                      first->seeds == 1 ? "one_seed" : "", first->fine_times > 1 ? "finer" : "");
     const char *study = words_say(
-        plan->words, "direct.study\ngrid %zu\nof %s\nloads %zu\n%s\ntime %.2g %s\n%s\n%s\nbudget %g", first->grid, of,
-        first->loads, first->loads == 1 ? "one_load" : "", minutes ? first->seconds / 60 : first->seconds,
-        minutes ? "min" : "s", first->of_spacing ? "of_spacing" : "", first->over_budget ? "over_budget" : "",
-        results->scene->direct.budget_s);
+        plan->words, "direct.study\ngrid %zu\nof %s\nloads %zu\n%s\ntime %.2g %s\n%s\n%s\nbudget %g",
+        first->side > 0 ? first->side : first->grid, of, first->loads, first->loads == 1 ? "one_load" : "",
+        minutes ? first->seconds / 60 : first->seconds, minutes ? "min" : "s", first->of_spacing ? "of_spacing" : "",
+        first->over_budget ? "over_budget" : "", results->scene->direct.budget_s);
     return words_say(plan->words, "direct.planned\n%s\nsurfaces %zu\n%s\nstudy %s\nname\t%s",
                      plan_runs(plan, EFFECT_DIRECT) ? "called" : "", surfaces, surfaces == 1 ? "one_surface" : "",
                      study, summary->scene->name);
@@ -59,7 +59,7 @@ static void plan_direct(struct plan *plan, const struct results *results)
     for (size_t i = 0; i < results->surface_count; i++)
         if (results_solves(results, i))
             first = surfaces++ > 0 && i != results->baseline ? first : i;
-    plan_decide(plan, EFFECT_DIRECT, runs,
+    plan_decide(plan, EFFECT_DIRECT, runs && surfaces > 0,
                 surfaces > 0 ? say_direct(plan, results, first, surfaces)
                              : words_say(plan->words, "direct.impossible\n%s\nwhy\t%s", runs ? "called" : "",
                                          direct_plan_problem(none, plan->words)));

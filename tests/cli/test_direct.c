@@ -150,15 +150,21 @@ TEST_IN_WORKSPACE(test_called_for)
     assert_false(workspace_has(place, "o2/figures/direct-ecr.svg"));
 }
 
-/* A map is solved as it is: one solution, of its own heights, without a power law. */
-TEST_IN_WORKSPACE(test_map)
+/** A map of 24 points along, in m, and 20 across. */
+static void write_map(const char *place, double across_m)
 {
     struct text *text = support_text();
-    text_add(text, "DSAA\n24 20\n0 23e-6\n0 19e-6\n-1e-6 1e-6\n");
+    text_add(text, "DSAA\n24 20\n0 23e-6\n0 %g\n-1e-6 1e-6\n", across_m);
     for (int j = 0; j < 20; j++)
         for (int i = 0; i < 24; i++)
             text_add(text, "%.9e\n", 4e-7 * sin(0.7 * i + 0.2 * j) * cos(0.9 * j) + 1e-7 * sin(1.1 * i * j));
     workspace_write(place, "d/map.grd", text_string(text));
+}
+
+/* A map is solved as it is: one solution, of its own heights, without a power law. */
+TEST_IN_WORKSPACE(test_map)
+{
+    write_map(place, 19e-6);
     workspace_write(place, "d/scene.yaml",
                     "material: tin\neffects: [separation, electrical, direct]\nload: {from: 1e-4, to: 1, points: 41}\n"
                     "surfaces: [{name: m, file: map.grd, x_unit: m, z_unit: m}]\ndirect: {loads: 5}\n");
@@ -180,8 +186,9 @@ TEST_IN_WORKSPACE(test_map)
             assert_true(table_number(&t, i, "gap_m") < table_number(&t, i - 1, "gap_m"));
     }
     assert_true(numbers >= 2 && differs > 0);
-    expect_in_file(place, "out/report.md", "without a model: the map itself, 40 × 40 points",
-                   "This holds at this resolution");
+    expect_in_file(place, "out/report.md",
+                   "without a model: the map itself, 20 × 20 points, 20.0 µm wide, continued by its mirror image.",
+                   "20 x 20 points, the map continued by its mirror image, 5 loads", "This holds at this resolution");
 }
 
 /* Without lambda_s the shortest waves are four spacings long: plan and report say so. */
@@ -211,6 +218,24 @@ TEST_IN_WORKSPACE(test_impossible)
     expect_in_file(place, "out/report.md", "## The models against the direct solution\n\n*",
                    "* is not solved: no load of the scene lies between");
     expect_not_in_file(place, "out/report.md", "No direct solution");
+    assert_true(json_is_false(json_at(workspace_json(place, "out/results.json"), "scene.effects.direct.runs")));
+}
+
+/* A map of two spacings cannot be solved: neither plan nor report say that it is. */
+TEST_IN_WORKSPACE(test_impossible_map)
+{
+    static const char *const why = "spacings of 1e-06 m along and 2e-06 m across the rows are not the same";
+    write_map(place, 38e-6);
+    workspace_write(place, "d/scene.yaml",
+                    "material: tin\nsurfaces: [{name: m, file: map.grd, x_unit: m, z_unit: m}]\n");
+    struct process plan = expect_exit(place, 0, "plan", "d");
+    process_unwrap(&plan);
+    expect_part(plan.out, filled("not called for; %s", why));
+    run_to_exit(place, 0, "direct", "d", "--no-cost", "-o", "out");
+    const json_t *effect = json_at(workspace_json(place, "out/results.json"), "scene.effects.direct");
+    assert_true(json_is_false(json_object_get(effect, "runs")));
+    expect_part(json_text_at(effect, "reason"), filled("called for, but %s", why));
+    expect_in_file(place, "out/report.md", filled("*m* is not solved: %s", why));
 }
 
 TEST_IN_WORKSPACE(test_key)

@@ -155,10 +155,13 @@ TEST_CASE(four_spacings_are_said)
     assert_true(plan.coarse && !plan.of_spacing);
 }
 
+static double heights[101 * 101]; /* of a map */
+
 TEST_CASE(a_map_is_one_surface)
 {
     struct direct_plan plan;
     struct direct_plan_task task = a_task(&(struct scene_direct){.grid = 64, .seeds = 5});
+    task.height_m = heights;
     task.map = (struct direct_map_def){101, 101, 3e-4 / 101, 3e-4 / 101, false, 6, false, false};
     direct_plan_make(&plan, &task);
     assert_int_equal(plan.side, 100); /* transforms of 101 points are slow */
@@ -166,14 +169,36 @@ TEST_CASE(a_map_is_one_surface)
     assert_int_equal(plan.seeds, 1);
     assert_int_equal(plan.fine_times, 0);
     assert_near(plan.length_m, 2 * 3e-4 * 100 / 101, 1e-12);
-    assert_near(plan.seconds, 0.020 * pow(200 / 256.0, 2.15) * (double)plan.loads * (1 + 6 * pow(2, -2.15)), 1e-12);
+    assert_near(plan.seconds, 0.45e-6 * 100 * 100 * (double)plan.loads * (1 + 6. / 4), 1e-12); /* not of the images */
     assert_near(plan.lambda_s_m, 6 * task.map.dx_m, 1e-12);
-    task.map =
-        (struct direct_map_def){100, 100, 3e-6, 3e-6, true, 0, false, false}; /* clean and whole: neither filter nor mirror */
+    task.map = (struct direct_map_def){100,  100, 3e-6,  3e-6,
+                                       true, 0,   false, false}; /* clean and whole: neither filter nor mirror */
     direct_plan_make(&plan, &task);
     assert_int_equal(plan.grid, 100);
     assert_near(plan.length_m, 3e-4, 1e-12);
     assert_true(plan.lambda_s_m == 0);
+    assert_near(plan.seconds, 0.45e-6 * 100 * 100 * (double)plan.loads * (1 + 1. / 4), 1e-12);
+}
+
+/* What direct_map_make() would refuse is known before anything runs. */
+TEST_CASE(a_map_that_cannot_be_solved)
+{
+    static double most_missing[101 * 101];
+    struct direct_plan plan;
+    struct direct_plan_task task = a_task(&(struct scene_direct){.grid = 64});
+    task.map = (struct direct_map_def){101, 101, 3e-6, 6e-6, false, 6, false, false};
+    task.height_m = heights;
+    direct_plan_make(&plan, &task);
+    assert_false(plan.possible);
+    assert_true(plan.seconds == 0);
+    expect_parts(direct_plan_problem(&plan, support_words()), "spacings of 3e-06 m along and 6e-06 m across the rows");
+    task.map.dy_m = task.map.dx_m;
+    for (size_t k = 0; k < 101 * 101; k++)
+        most_missing[k] = k % 101 < 49 ? 0 : NAN;
+    task.height_m = most_missing;
+    direct_plan_make(&plan, &task);
+    assert_false(plan.possible);
+    expect_parts(direct_plan_problem(&plan, support_words()), "5100 of the map's 10000 points are missing");
 }
 
 TEST_CASE(no_load_is_said)
