@@ -48,10 +48,11 @@ TEST_IN_WORKSPACE(no_dearer_model_than_the_accuracy_asks_for)
     static const struct {
         const char *accuracy, *model, *says;
     } cases[] = {
-        {"500 %", "cmy", "CMY is the cheapest of the models asked for within 500\u00a0%"},
+        {"500 %", "cmy", "CMY is the cheapest of the models asked for whose own error is within 500\u00a0%"},
         {"290 %", "corrected-persson-plastic",
-         "Gaussian heights with hardness is the cheapest of the models asked for within 290\u00a0%"},
-        {"200 %", "strip-plastic", "strip transfer with hardness is the cheapest of the models asked for within 200 %"},
+         "Gaussian heights with hardness is the cheapest of the models asked for whose own error is within 290\u00a0%"},
+        {"200 %", "strip-plastic",
+         "strip transfer with hardness is the cheapest of the models asked for whose own error is within 200 %"},
         {"10 %", "strip-plastic",
          "None of the quick models asked for is within 10 % (95 %); strip transfer with hardness comes nearest"},
     };
