@@ -402,7 +402,8 @@ const struct scene_key scene_keys[] = {
     {"tolerance", "relative, of what closed forms are computed to; default: 1e-6",
      SCENE_NUMBER(AT(tolerance), 1e-14, 0.1)},
     {"accuracy",
-     "that 95 of 100 answers are to lie within, as 200 % (a factor of 3): of the models that docs/validation.md finds "
+     "that 95 of 100 answers are to lie within by the model's own error, as 200 % (a factor of 3): of the models that "
+     "docs/validation.md finds "
      "as good the cheapest runs; default: none is asked, and all run",
      SCENE_QUANTITY(AT(accuracy), UNIT_NUMBER | UNIT_PERCENT, 1e-3, 1e3)},
     {"level",
