@@ -74,7 +74,8 @@ enum status_code direct_kernel_make(struct direct_kernel *out, const struct dire
                                   .spacing_m = spacing_m,
                                   .mirrored = grid->mirrored,
                                   .single = grid->single};
-    assert((!grid->mirrored || nx == ny) && (nx >= BLOCK || !(grid->mirrored || ny == 1)));
+    assert(!grid->mirrored || (nx == ny && nx >= BLOCK));
+    assert(ny > 1 || nx >= 4);
     out->stride = 2 * (nx / 2 + 1);
     size_t most = (size_t)DIRECT_KERNEL_MOST * DIRECT_KERNEL_MOST;
     if (nx < 2 || ny < 1 || nx > most / ny)

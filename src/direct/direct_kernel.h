@@ -59,12 +59,12 @@ struct direct_kernel {
     bool exhausted;    /* out of memory: the field and what follows from it are of no use */
 };
 
-/** nx >= 2, ny >= 1, the same, 8 or more, of a mirrored grid; with ny = 1 it is a strip, without strain across. A
- * transform is made of transforms of rows and columns, each column copied to a place of its own and its product
- * transformed back at once: from 512 points a side on that is 1.2 to 1.9 times as fast as FFTW's own plan of two
- * dimensions. Plans are made with FFTW_ESTIMATE: the same plan, hence the same bytes, in every thread and run, within 1
- * ms (FFTW_MEASURE would take 0.2 to 2 s and choose by the clock). Any thread may call this at any time. Errors:
- * STATUS_MEMORY; STATUS_USAGE: a grid too large or too small, a spacing that is no length. */
+/** nx >= 2, ny >= 1, the same, 8 or more, of a mirrored grid; with ny = 1 it is a strip, of 4 or more, without strain
+ * across. A transform is made of transforms of rows and columns, each column copied to a place of its own and its
+ * product transformed back at once: from 512 points a side on that is 1.2 to 1.9 times as fast as FFTW's own plan of
+ * two dimensions. Plans are made with FFTW_ESTIMATE: the same plan, hence the same bytes, in every thread and run,
+ * within 1 ms (FFTW_MEASURE would take 0.2 to 2 s and choose by the clock). Any thread may call this at any time.
+ * Errors: STATUS_MEMORY; STATUS_USAGE: a grid too large or too small, a spacing that is no length. */
 MUST_CHECK enum status_code direct_kernel_make(struct direct_kernel *out, const struct direct_grid *grid,
                                                struct status *status);
 void direct_kernel_free(struct direct_kernel *kernel);

@@ -15,7 +15,7 @@ struct OF(room) {
     FFT(complex) * field;                               /* the rows' transforms */
     FFT(complex) * columns;                             /* some of them */
     FFT(complex) * transformed, *multiplied;            /* of a row or a column, and times its factors; [n] is [0] */
-    REAL *share;                                        /* of a grid: part_row() */
+    REAL *share;                                        /* fill_share() */
     REAL *turn;                                         /* of a mirrored grid: fill_turn() */
     REAL *table[DIRECT_TABLES];                         /* a column for each wave along x: fill_column() */
     double before[DIRECT_TABLES], after[DIRECT_TABLES]; /* factors of a field as it comes in and goes out */

@@ -38,7 +38,7 @@ TEST_CASE(waves)
     for (size_t shape = 0; shape < SHAPES; shape++)
         if (!shapes[shape].mirrored)
             grids[count++] = shapes[shape];
-    for (size_t n = 8; n < 40; n++)
+    for (size_t n = 4; n < 40; n++)
         grids[count++] = (struct direct_grid){n, 1, 0.1, false, false};
     for (size_t g = 0; g < count; g++) {
         const size_t nx = grids[g].nx, ny = grids[g].ny;
